@@ -32,18 +32,18 @@ TEST(AttendedWork, IsDoneOnAnotherThread) {
 
 TEST(AttendedWork, IsAttendedByTheCallerWithWhatItTold) {
   const auto here = std::this_thread::get_id();
-  std::vector<std::size_t> told;
+  std::vector<std::size_t> reported;
   EXPECT_THROW(do_attended(work_until_stopped,
                            [&](std::size_t done, std::size_t total) {
                              EXPECT_EQ(std::this_thread::get_id(), here);
                              EXPECT_EQ(total, 10'000U);
-                             told.push_back(done);
-                             return told.size() < 3;
+                             reported.push_back(done);
+                             return reported.size() < 3;
                            }),
                Cancelled);
-  ASSERT_EQ(told.size(), 3U);
-  EXPECT_LT(told[0], told[1]);
-  EXPECT_LT(told[1], told[2]);
+  ASSERT_EQ(reported.size(), 3U);
+  EXPECT_LT(reported[0], reported[1]);
+  EXPECT_LT(reported[1], reported[2]);
 }
 
 // Work that is over at once is stopped all the same.

@@ -72,31 +72,31 @@ TEST(Execution, PassesOnWhatAPieceThrows) {
 
 TEST(Execution, TellsProgressOneAtATime) {
   for (const Execution& execution : all()) {
-    std::vector<std::size_t> told;  // not guarded: that is the promise
+    std::vector<std::size_t> reported;  // not guarded: calls do not overlap
     execution.for_each(
         300, [](std::size_t) {},
         [&](std::size_t done, std::size_t total) {
           EXPECT_EQ(total, 300U);
-          told.push_back(done);
+          reported.push_back(done);
           return true;
         });
     std::vector<std::size_t> expected(300);
     std::iota(expected.begin(), expected.end(), 1);
-    EXPECT_EQ(told, expected);
+    EXPECT_EQ(reported, expected);
   }
 }
 
 TEST(Execution, StopsWhenProgressSaysSo) {
   for (const Execution& execution : all()) {
-    std::size_t told = 0;
+    std::size_t reported = 0;
     const Progress stop = [&](std::size_t done, std::size_t) {
-      ++told;
+      ++reported;
       return done < 5;
     };
     EXPECT_THROW(execution.for_each(
                      1000, [](std::size_t) {}, stop),
                  Cancelled);
-    EXPECT_EQ(told, 5U);
+    EXPECT_EQ(reported, 5U);
   }
 }
 

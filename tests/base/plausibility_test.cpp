@@ -8,7 +8,7 @@
 namespace microslip::plausibility_test {
 namespace {
 
-// 31 m and 4.1 MJ are what the decay of a bolted beam comes to where m/s^2 are taken for m.
+// 31 m and 4.1 MJ result from the decay of a bolted beam where m/s^2 are taken for m.
 TEST(Plausibility, WarnsOfWhatNoStructureSurvives) {
   const auto warning = implausible_value("a.csv: channel 'acc1'", kLength, 31.0);
   ASSERT_TRUE(warning);

@@ -25,7 +25,7 @@ using testing::tent;
 
 constexpr int kLevels = 30;  // of each of two modes
 
-/// Sliders alike from one slip force to another; the rest of k does not slip.
+/// A uniform density from one slip force to another; the rest of k does not slip.
 Joint box(double k, double from, double to) {
   return {k, SlipDensity({UniformPart{from, to, 0.5}})};
 }
@@ -44,7 +44,7 @@ CalibrationResult calibrated(const std::vector<double>& clean, std::uint64_t see
   return test.calibrated(options);
 }
 
-/// A place is off by as much as is said of it; what the knots follow is some thousandths beside.
+/// The error of a place is as large as stated; the resolution of the knots is some thousandths.
 void expect_edges(const CalibratedJoint& joint, const std::vector<double>& truth,
                   std::uint64_t seed) {
   ASSERT_EQ(joint.edges.size(), truth.size()) << joint.name << ", seed " << seed;
@@ -61,7 +61,7 @@ struct Edged {
   std::vector<double> edges;  ///< of lap, N
 };
 
-// The smooth prior alone held 0.66 to 0.88 of the losses.
+// The bands of the smooth prior alone contained 0.66 to 0.88 of the losses.
 TEST(CalibratedEdges, BandsHoldTheLossesOfJointsThatReleaseTheirStiffness) {
   MICROSLIP_OF_RELEASE_ALONE();
   const std::vector<Edged> cases{{"from 0", box(6e5, 0.0, 30.0), tent(9e5, 110.0, 0.5), {30.0}},
@@ -86,8 +86,8 @@ TEST(CalibratedEdges, BandsHoldTheLossesOfJointsThatReleaseTheirStiffness) {
 }
 
 // 40 displacements in equal ratios over four decades of each of two modes: most levels lie where
-// the joint with the edge hardly slips. Over two seeds the bands of its losses held 1.00 and 1.00
-// of the levels, 0.90 and 0.91 without edges.
+// the joint with the edge hardly slips. Over two seeds the bands of its losses contained 1.00 and
+// 1.00 of the levels, 0.90 and 0.91 without edges.
 TEST(CalibratedEdges, AreFoundByLevelsOverFourDecades) {
   MICROSLIP_OF_RELEASE_ALONE();
   SimulatedTest test = testing::simulated(lap_and_other(box(6e5, 0.0, 30.0), tent(9e5, 110.0, 0.5)),
@@ -105,9 +105,9 @@ std::uint64_t edge_trials() {
   return set == nullptr ? 0 : std::strtoull(set, nullptr, 10);
 }
 
-// Joints and seeds that nothing was chosen by. Levels of one trial hang together, so that what a
-// band holds of them scatters by up to √(0.95·0.05/n) over n trials: 2.5 times that below 0.95 once
-// in a hundred and fifty.
+// Joints and seeds that were not used to choose anything. Levels of one trial are correlated, so
+// that the coverage of a band scatters by up to √(0.95·0.05/n) over n trials: 2.5 times that
+// below 0.95 once in a hundred and fifty.
 TEST(CalibratedEdges, BandsOfUnseenJointsHoldTheirLosses) {
   MICROSLIP_OF_RELEASE_ALONE();
   if (edge_trials() == 0) GTEST_SKIP() << "a study, of MICROSLIP_EDGE_TRIALS trials";
@@ -121,24 +121,25 @@ TEST(CalibratedEdges, BandsOfUnseenJointsHoldTheirLosses) {
   for (const Edged& known : cases) {
     SimulatedTest test = tested(known.lap, known.other);
     const std::vector<double> clean = testing::clean_losses(test);
-    std::array<double, 2> held{};
+    std::array<double, 2> coverage{};
     const std::uint64_t trials = edge_trials();
     std::uint64_t with_edges = 0;
     for (std::uint64_t i = 0; i < trials; ++i) {
       const CalibrationResult found = calibrated(clean, 1000 + i, true, test);
       with_edges += found.joints[0].edges.empty() ? 0 : 1;
       for (std::size_t j = 0; j < 2; ++j) {
-        held[j] += testing::loss_coverage(found, test, j) / static_cast<double>(trials);
+        coverage[j] += testing::loss_coverage(found, test, j) / static_cast<double>(trials);
       }
     }
-    std::cout << "  " << known.name << ": held " << held[0] << ", " << held[1] << "; edges in "
-              << with_edges << " of " << trials << '\n';
+    std::cout << "  " << known.name << ": coverage " << coverage[0] << ", " << coverage[1]
+              << "; edges in " << with_edges << " of " << trials << '\n';
     const double least = 0.95 - 2.5 * std::sqrt(0.95 * 0.05 / static_cast<double>(trials));
-    for (const double one : held) EXPECT_GE(one, least) << known.name;
+    for (const double one : coverage) EXPECT_GE(one, least) << known.name;
   }
 }
 
-// A joint that slips from 10 N on: below, and above 30 N, its density is 0, and the draws say so.
+// A joint that slips from 10 N on: below, and above 30 N, its density is 0, and so it is in the
+// draws.
 TEST(CalibratedEdges, ARangeWithoutSlipIsTakenAsOne) {
   MICROSLIP_OF_RELEASE_ALONE();
   SimulatedTest test =
@@ -193,7 +194,7 @@ TEST(CalibratedEdges, NoneIsFoundOutsideOfTheLevelsOrInASmoothDensity) {
   }
 }
 
-// Nineteen levels a joint are too few to tell an edge.
+// Nineteen levels per joint are too few to detect an edge.
 TEST(CalibratedEdges, FewLevelsGiveNone) {
   SimulatedTest test = testing::simulated(lap_and_other(box(6e5, 0.0, 30.0), tent(9e5, 110.0, 0.5)),
                                           2, 2e-6, 1.5e-4, 19, 1);

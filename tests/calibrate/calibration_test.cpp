@@ -40,10 +40,10 @@ JointedStructure three_joints() {
                                   0.004, {6e5, 9e5, 4e5});
 }
 
-// A structure and joints of which nothing was used when the method was made.
-// Frequencies of every second level 0.3 and 0.4 % off, another offset in each mode: of one session
-// they contradict each other, of two they say what they said without. An offset of 0.4 % changes
-// what is left by as much of itself.
+// A structure and joints of which nothing was used when the method was made. Frequencies of every
+// second level 0.3 and 0.4 % off, another offset in each mode: of one session they contradict each
+// other, of two the result is that without offsets. An offset of 0.4 % changes the remainder by as
+// much of itself.
 TEST(Calibration, TakesAnOffsetOfEachModeAndSession) {
   const SimulatedTest test =
       simulated(lap_and_other(testing::tent(6e5, 90.0, 0.6), testing::tent(9e5, 110.0, 0.5)), 2,
@@ -59,7 +59,7 @@ TEST(Calibration, TakesAnOffsetOfEachModeAndSession) {
   for (std::size_t i = 0; i < test.levels.size(); ++i) {
     for (std::size_t joint = 0; joint < 2; ++joint) {
       const double loss = plain.levels[i].joints[joint].dissipation.value;
-      if (loss < 0.1 * plain.levels[i].dissipation) continue;  // hardly told
+      if (loss < 0.1 * plain.levels[i].dissipation) continue;  // hardly determined
       EXPECT_NEAR(found.levels[i].joints[joint].dissipation.value / loss, 1.0, 0.01);
     }
     const double offset = 0.003 + 0.001 * static_cast<double>(test.levels.mode[i]);
@@ -105,10 +105,10 @@ TEST(Calibration, SaysThatJointsOfASymmetricPairAreKnownOnlyTogether) {
   }
 }
 
-// Of two joints that stand side by side one does not slip: the other has all of the loss. Its band
-// ends at the sum and what that may be more. Over these twelve tests bands hold 0.6 of the losses,
-// far short of 0.95, between 0.2 and 1.0 of single tests; of draws with other last digits as many:
-// the mean is known to 0.07, and the bound two of these below.
+// Of two joints side by side one does not slip: the other has all of the loss. Its band ends at the
+// sum and its error. Over these twelve tests bands contain 0.6 of the losses, far short of 0.95,
+// between 0.2 and 1.0 of single tests; of draws with other last digits as many: the mean is known
+// to 0.07, and the bound two of these below.
 TEST(Calibration, TheBandOfAJointThatMayHaveAllHoldsIt) {
   const JointedStructure one = testing::chain_structure(
       {3.0, 2.0, 2.0}, {5e5, 4e5, 3e5, 0.0},
@@ -117,17 +117,18 @@ TEST(Calibration, TheBandOfAJointThatMayHaveAllHoldsIt) {
   SimulatedTest simulation = simulated(one, 2, 2e-6, 1e-4, 14, 5);
   const std::vector<double> clean = clean_losses(simulation);
   const std::uint64_t tests = test::draws_of(12);
-  double held = 0.0;
+  double coverage = 0.0;
   for (std::uint64_t seed = 5; seed < 5 + tests; ++seed) {
     scatter_losses(clean, seed, simulation);
     give_deviations(0.0, simulation);
-    held += loss_coverage(simulation.calibrated({.draws = 320}), simulation, 0) /
-            static_cast<double>(tests);
+    coverage += loss_coverage(simulation.calibrated({.draws = 320}), simulation, 0) /
+                static_cast<double>(tests);
   }
-  EXPECT_GE(held, test::least_of(0.45));
+  EXPECT_GE(coverage, test::least_of(0.45));
 }
 
-// Two of three joints are known: what they lose is taken from the levels, and they shape the modes.
+// Two of three joints are known: their loss is subtracted from the levels, and they shape the
+// modes.
 TEST(Calibration, KnowsAJointAndUsesItWhenItFindsAnother) {
   SimulatedTest test = simulated(three_joints(), 3, 2e-6, 6e-5, 10, 3);
   std::vector<StructuralJoint> joints(test.given.joints().begin(), test.given.joints().end());
@@ -144,7 +145,7 @@ TEST(Calibration, KnowsAJointAndUsesItWhenItFindsAnother) {
   EXPECT_LT(worst_error(found, test, 0, true), 0.04);
 }
 
-// A level in the wrong unit, a metre beside tens of micrometres: what comes of it is not told as if
+// A level in the wrong unit, a metre beside tens of micrometres: the result is not given as if
 // nothing were wrong.
 TEST(Calibration, WarnsOfALevelFarBeyondTheOthers) {
   MICROSLIP_OF_RELEASE_ALONE();
@@ -202,8 +203,8 @@ double mean_band(const CalibrationResult& found, const SimulatedTest& test, std:
 }
 
 // Losses grow with the 2.5th power of the displacement and more: 2 % of it are 5 % of them, ten
-// times what they are known to otherwise. Bands gain less, as λ, which is drawn, smooths more where
-// less is known: twice as wide is asked for.
+// times their error otherwise. Bands gain less, as λ, which is drawn, smooths more where less is
+// known: twice as wide is required.
 TEST(Calibration, ErrorsOfDisplacementsWidenTheBands) {
   SimulatedTest test =
       simulated(two_joints_of_a_chain(Joint(4e5, SlipDensity({UniformPart{0.0, 110.0, 0.5}}))), 2,
@@ -219,10 +220,9 @@ TEST(Calibration, ErrorsOfDisplacementsWidenTheBands) {
   EXPECT_FALSE(warns(uncertain, "joint_not_seen"));
 }
 
-// A joint a thousand times as stiff as what it holds hardly moves, and slips by forces far above
-// those of the levels: its loss is below 5e-4 of that of the other, of which 0.5 % are noise. That
-// it slips so little is known well, so that the share of the prior's variance that was taken does
-// not show it.
+// A joint a thousand times as stiff as the structure it supports hardly moves, and slips by forces
+// far above those of the levels: its loss is below 5e-4 of that of the other, of which 0.5 % are
+// noise. That it slips so little is known well, so that the variance reduction does not show it.
 TEST(Calibration, SaysThatAJointThatHardlyMovesIsNotSeen) {
   SimulatedTest test =
       simulated(two_joints_of_a_chain(Joint(4e8, SlipDensity({UniformPart{0.0, 1e5, 0.5}}))), 2,
@@ -241,9 +241,9 @@ TEST(Calibration, SaysThatAJointThatHardlyMovesIsNotSeen) {
   EXPECT_GT(found.joints[0].loss_told, 30.0);
 }
 
-// In the first mode the other joint moves by a twentieth of what it does in the second: how it goes
-// on to so small displacements only the exponent of a power law tells, of which ten levels tell
-// little. With one exponent alone its bands held 0.80 of its losses.
+// In the first mode the other joint moves by a twentieth of what it does in the second: at so small
+// displacements only the exponent of a power law determines it, which ten levels hardly determine.
+// With one exponent alone its bands contained 0.80 of its losses.
 TEST(Calibration, BandsHoldTheLossesOfTenLevelsAMode) {
   SimulatedTest test =
       simulated(lap_and_other(tent(6e5, 90.0, 0.6),
@@ -251,22 +251,22 @@ TEST(Calibration, BandsHoldTheLossesOfTenLevelsAMode) {
                 2, 2e-6, 1.5e-4, 10, 1);
   const std::vector<double> clean = clean_losses(test);
   const std::uint64_t tests = microslip::test::draws_of(6);
-  std::vector<double> held(2, 0.0);
+  std::vector<double> coverage(2, 0.0);
   for (std::uint64_t i = 0; i < tests; ++i) {
     scatter_losses(clean, 100 + i, test);
     give_deviations(0.0, test);
     const CalibrationResult found = test.calibrated({.draws = 320});
     for (std::size_t joint = 0; joint < 2; ++joint) {
-      held[joint] += loss_coverage(found, test, joint) / static_cast<double>(tests);
+      coverage[joint] += loss_coverage(found, test, joint) / static_cast<double>(tests);
     }
   }
-  EXPECT_GE(held[0], microslip::test::least_of(0.90));
-  EXPECT_GE(held[1], microslip::test::least_of(0.90));
+  EXPECT_GE(coverage[0], microslip::test::least_of(0.90));
+  EXPECT_GE(coverage[1], microslip::test::least_of(0.90));
 }
 
 // A joint that slips from 20 N on only has no loss in the first ranges, and all of it at once
-// later. Where exponents were chosen on the way the other joint got it, in half of the tests:
-// losses then scattered by 5 of their deviations.
+// later. Where exponents were chosen too early the other joint got it, in half of the tests: losses
+// then scattered by 5 of their deviations.
 TEST(Calibration, FindsAJointThatSlipsFromAForceOn) {
   SimulatedTest test =
       simulated(lap_and_other(Joint(6e5, SlipDensity({UniformPart{20.0, 70.0, 0.7}})),
@@ -308,7 +308,7 @@ TEST(Calibration, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-// ---- What is wrong. ----
+// ---- Invalid input. ----
 
 std::string fault(const SimulatedTest& test, const CalibrationOptions& options = {}) {
   try {
@@ -341,7 +341,7 @@ TEST(CalibrationFault, NamesWhatIsWrong) {
     test.levels.frequency.resize(5);
     test.levels.dissipation.resize(5);
   });
-  expect("number of levels = 7", [](SimulatedTest& test) {  // repetitions tell nothing new
+  expect("number of levels = 7", [](SimulatedTest& test) {  // repetitions add no information
     test.levels.mode.resize(7);
     test.levels.displacement.resize(7);
     test.levels.frequency.resize(7);

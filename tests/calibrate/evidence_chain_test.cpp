@@ -24,8 +24,8 @@ RoughnessBlock roughness_of(Eigen::Index begin) {
   return block;
 }
 
-/// Two joints whose coefficients are seen one by one: those of the first jump to and fro, those of
-/// the second lie on a straight line and are seen at every third place alone.
+/// Two joints whose coefficients are measured one by one: those of the first alternate, those of
+/// the second lie on a straight line and are measured at every third place only.
 LinearEvidence rough_and_smooth() {
   const Eigen::Index size = 2 * (kCount + 1);
   LinearEvidence evidence;
@@ -54,7 +54,7 @@ LinearEvidence rough_and_smooth() {
   return evidence;
 }
 
-/// Standard deviation of the draws at a coefficient that was not seen.
+/// Standard deviation of the draws at a coefficient that was not measured.
 double spread_between(const LinearEvidence& evidence, const std::vector<double>& lambda) {
   const NormalEquations equations(evidence);
   EvidenceWeights weights;
@@ -72,9 +72,8 @@ double spread_between(const LinearEvidence& evidence, const std::vector<double>&
   return std::sqrt(square / count - sum * sum / count / count);
 }
 
-// What is possible of a smooth joint does not hang on where the search for its smoothing ended: λ
-// is drawn for each joint. 2000 draws, alike to their neighbours, tell a spread with heavy tails to
-// some 15 %.
+// The posterior of a smooth joint does not depend on where the search for its smoothing ended: λ
+// is drawn for each joint. 2000 correlated draws determine a spread with heavy tails to some 15 %.
 TEST(EvidenceChain, DrawsTheSmoothingOfEachJoint) {
   const LinearEvidence evidence = rough_and_smooth();
   const double smooth = spread_between(evidence, {1e-2, 1e3});
@@ -83,8 +82,8 @@ TEST(EvidenceChain, DrawsTheSmoothingOfEachJoint) {
 }
 
 // A joint of which the first half does not slip: 0 in truth, and a half of its coefficients would
-// have to be 0 at once. Their sum is 0, or next to nothing, in some of the draws, so that a band
-// can begin there.
+// have to be 0 at once. Their sum is 0, or almost 0, in some of the draws, so that a band can begin
+// there.
 TEST(EvidenceChain, DrawsReachAJointThatDoesNotSlip) {
   LinearEvidence evidence = rough_and_smooth();
   WeightedRows& losses = evidence.of(RowKind::kLoss);

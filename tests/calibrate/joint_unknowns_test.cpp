@@ -44,7 +44,7 @@ TEST(JointUnknowns, AKnownStiffnessIsKept) {
   EXPECT_EQ(unknowns.joint(unknowns.stuck(), true).density().total().zeroth, 0.0);
 }
 
-// Knot by knot any exponent of the same range is told, to rounding.
+// By knots a density of any exponent of the same range is represented, to rounding.
 TEST(JointUnknowns, KnotsTellDensitiesOfAnyExponent) {
   const JointUnknowns law(7e5, 2e-4, 0.01, -0.5, 30);
   const JointUnknowns common = law.by_knots();
@@ -61,7 +61,7 @@ TEST(JointUnknowns, KnotsTellDensitiesOfAnyExponent) {
   }
 }
 
-// Two knots at each edge, the density on either side as it likes; one beside the top has no room.
+// Two knots at each edge, the density on either side free; one beside the top has no room.
 TEST(JointUnknowns, JumpAtTheirEdges) {
   const std::vector<double> edges{3e-5, 9e-5};
   for (const double exponent : {0.0, -0.5}) {
@@ -87,8 +87,8 @@ TEST(JointUnknowns, JumpAtTheirEdges) {
   }
 }
 
-// Knots with all edges tell densities whose edges are at any of those places. Coefficients of a
-// power law lie on straight lines between a quarter of the knots: beside an edge they are other
+// Knots with all edges represent densities whose edges are at any of those places. Coefficients of
+// a power law lie on straight lines between a quarter of the knots: beside an edge they are other
 // ones, where it is off by some 1e-4.
 TEST(JointUnknowns, KnotsTellDensitiesWithEdgesElsewhere) {
   for (const double exponent : {0.0, -0.25}) {
@@ -109,7 +109,7 @@ TEST(JointUnknowns, KnotsTellDensitiesWithEdgesElsewhere) {
   }
 }
 
-// A density of other knots is met at the new ones; its stiffness is kept.
+// A density of other knots is interpolated at the new ones; its stiffness is kept.
 TEST(JointUnknowns, ProjectionFollowsTheDensity) {
   const JointUnknowns old(7e5, 2e-4, 0.01, 0.0, 60);
   const JointUnknowns now(7e5, 1.5e-4, 0.02, -0.5, 60);

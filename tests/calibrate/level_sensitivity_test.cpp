@@ -27,16 +27,15 @@ JointedStructure structure_with(double first, double second, double compliance) 
   return {chain.linear(), placed, {Excitation{"p1"}}, chain.damping()};
 }
 
-/// The joint of a share more or less, and what that makes of κ at an amplitude.
+/// The joint scaled by a share, and the change of κ at an amplitude.
 std::complex<double> kappa(const Joint& joint, double a) {
   return {secant_stiffness(joint, a), dissipation(joint, a) / (std::numbers::pi * a * a)};
 }
 
 class Sensitivity : public ::testing::TestWithParam<std::tuple<Forcing, double, std::size_t>> {};
 
-// Against differences of harmonic balances with five harmonics. The derivatives take higher
-// harmonics to follow, which leaves 1 % and, of what is small itself, a hundredth of the larger
-// change.
+// Against differences of harmonic balances with five harmonics. The derivatives assume that higher
+// harmonics follow, which leaves 1 % and, of small changes, a hundredth of the larger change.
 TEST_P(Sensitivity, IsThatOfTheHarmonicBalance) {
   const auto [forcing, compliance, mode] = GetParam();
   constexpr double kStep = 1e-4;
@@ -76,7 +75,7 @@ TEST_P(Sensitivity, IsThatOfTheHarmonicBalance) {
   }
 }
 
-// Likewise of the displacement of the response point.
+// The derivatives by the displacement of the response point.
 TEST_P(Sensitivity, IsThatOfTheDisplacementToo) {
   const auto [forcing, compliance, mode] = GetParam();
   constexpr double kResponse = 2e-5;
@@ -100,9 +99,9 @@ TEST_P(Sensitivity, IsThatOfTheDisplacementToo) {
   }
 }
 
-// Rayleigh's quotient of a mode that no joint changes: δω = ψ_l² Re δκ_l/(2ω). What keeps such a
-// mode up takes all of its own dynamic stiffness away, to rounding or, at some displacements, to
-// nothing.
+// Rayleigh's quotient of a mode that no joint changes: δω = ψ_l² Re δκ_l/(2ω). The forcing
+// that maintains such a mode cancels all of its own dynamic stiffness, to rounding or, at some
+// displacements, exactly.
 TEST(StuckSensitivity, IsThatOfRayleigh) {
   const JointedStructure slipping = structure_with(0.5, 0.4, 0.0);
   std::vector<StructuralJoint> joints(slipping.joints().begin(), slipping.joints().end());

@@ -23,8 +23,8 @@ JointedStructure two_joints() {
                                   {8e5, 5e5});
 }
 
-/// Three levels of each of two modes. Their losses and frequencies are off by nothing that matters
-/// here: it is about how much they count.
+/// Three levels of each of two modes. Errors of their losses and frequencies do not matter here:
+/// the test is about their weights.
 ModalLevels some_levels(double displacement_std) {
   ModalLevels levels;
   for (const std::size_t mode : {std::size_t{0}, std::size_t{1}}) {
@@ -41,7 +41,7 @@ ModalLevels some_levels(double displacement_std) {
   return levels;
 }
 
-/// Levels that are all there are, solved with two uniform densities.
+/// All levels, solved with two uniform densities.
 class Solved {
  public:
   explicit Solved(const ModalLevels& levels, FrequencyUse frequency = FrequencyUse::kAbsolute)
@@ -70,7 +70,7 @@ class Solved {
   [[nodiscard]] LevelDeviations deviations(std::size_t level) const {
     return deviations_about(evidence_, unknowns_, states_, level);
   }
-  /// Measured less found loss, and measured over found frequency.
+  /// Measured minus fitted loss, and measured over fitted frequency.
   [[nodiscard]] double loss_error(std::size_t level) const {
     const SteadyVibration& vibration = *states_.at(level);
     double error = measured_loss(levels_, level, vibration).value;
@@ -105,7 +105,7 @@ ModalLevels repeated(const ModalLevels& levels, int times) {
 }
 
 // Levels that were measured n times count as their mean does, the error of their displacement,
-// which averaging does not lessen, with it: to what the resonances are solved to.
+// which averaging does not reduce, included: to the tolerance of the resonances.
 TEST(Linearisation, RepeatedLevelsCountAsTheirMean) {
   for (const double displacement_std : {0.0, 0.02}) {
     for (const FrequencyUse use : {FrequencyUse::kAbsolute, FrequencyUse::kChange}) {
@@ -126,9 +126,10 @@ TEST(Linearisation, RepeatedLevelsCountAsTheirMean) {
   }
 }
 
-/// What a displacement that is off by its standard deviation makes of a level, by solving it there.
+/// The effect on a level of a displacement with an error of its standard deviation, by solving it
+/// there.
 void expect_share_of_displacement(const ModalLevels& levels) {
-  constexpr double kError = 1e-3;  // of the displacement: what bends is far less
+  constexpr double kError = 1e-3;  // of the displacement: the curvature is far less
   ModalLevels more = levels;
   ModalLevels less = levels;
   ModalLevels given = levels;
@@ -156,8 +157,8 @@ void expect_share_of_displacement(const ModalLevels& levels) {
   }
 }
 
-// Against resonances at other displacements. The derivatives take higher harmonics to follow, which
-// leaves 1 %.
+// Against resonances at other displacements. The derivatives assume that higher harmonics follow,
+// which leaves 1 %.
 TEST(Linearisation, ErrorsOfTheDisplacementAreThoseOfResonancesBeside) {
   ModalLevels levels = some_levels(0.0);
   // Far below the shares, so that nothing is lost where squares are subtracted.

@@ -82,14 +82,14 @@ struct TwoJoints {
     return k * k * true_joint.density().density(k * x);
   }
 
-  /// Relative L2 error of ψ over 5 to 90 % of the range of amplitudes, and the share of it that the
-  /// band holds.
+  /// Relative L2 error of ψ over 5 to 90 % of the range of amplitudes, and the share of it that
+  /// the band contains.
   [[nodiscard]] std::pair<double, double> density(const CalibratedJoint& found,
                                                   std::size_t joint) const {
     const double reach = std::ranges::max(of_joint("amplitude", joint));
     double square = 0.0;
     double size = 0.0;
-    double held = 0.0;
+    double covered = 0.0;
     double knots = 0.0;
     for (std::size_t i = 0; i < found.slip_displacement.size(); ++i) {
       const double x = found.slip_displacement[i];
@@ -97,10 +97,10 @@ struct TwoJoints {
       const double truth_here = true_density(joint, x);
       square += std::pow(found.density[i] - truth_here, 2);
       size += truth_here * truth_here;
-      held += truth_here >= found.lower[i] && truth_here <= found.upper[i] ? 1.0 : 0.0;
+      covered += truth_here >= found.lower[i] && truth_here <= found.upper[i] ? 1.0 : 0.0;
       knots += 1.0;
     }
-    return {std::sqrt(square / size), held / knots};
+    return {std::sqrt(square / size), covered / knots};
   }
 };
 
@@ -113,13 +113,13 @@ void expect_found(const TwoJoints& test, const CalibrationResult& found, double 
     EXPECT_LT(amplitude, 0.005) << joint;
     // Where a joint has a tenth of the loss or more: 0.5 % of noise on the sum are 5 % of it there.
     EXPECT_LT(loss, most_loss) << joint;
-    const auto [error, held] = test.density(found.joints[joint], joint);
+    const auto [error, covered] = test.density(found.joints[joint], joint);
     EXPECT_LT(error, 0.04) << joint;
-    EXPECT_GE(held, 0.9) << joint;
+    EXPECT_GE(covered, 0.9) << joint;
     test::record_largest("amplitude [1]", amplitude);
     test::record_largest("dissipation [1]", loss);
     test::record_largest("density [1]", error);
-    test::record_smallest("held by the band [1]", held);
+    test::record_smallest("covered by the band [1]", covered);
   }
 }
 
@@ -135,7 +135,8 @@ TEST(TwoJointsFromModalLevels, AreFoundWithoutFrequencies) {
   expect_found(test, test.calibrated({.frequency = FrequencyUse::kIgnore}), 0.04);
 }
 
-// k, which frequencies tell, given 5 % too high: to 1e-3, five times the half width of its band.
+// k, which frequencies determine, given 5 % too high: to 1e-3, five times the half width of its
+// band.
 TEST(TwoJointsFromModalLevels, TheirStiffnessesAreFoundToo) {
   MICROSLIP_OF_RELEASE_ALONE();
   TwoJoints test;
@@ -167,7 +168,7 @@ TEST(TwoJointsFromModalLevels, StuckShapesAreWrongByWhatTheyAreWrongBy) {
       found.warnings, [](const Warning& warning) { return warning.code == "scatter_large"; }));
 }
 
-// A sensor across each joint: its amplitude is taken in place of the model's.
+// A sensor across each joint: its amplitude is used instead of the model's.
 TEST(TwoJointsFromModalLevels, TakesAmplitudesOfSensors) {
   MICROSLIP_OF_RELEASE_ALONE();
   TwoJoints test;
@@ -175,7 +176,8 @@ TEST(TwoJointsFromModalLevels, TakesAmplitudesOfSensors) {
     test.levels.joints.push_back({.name = "joint" + std::to_string(joint + 1),
                                   .amplitude = test.of_joint("amplitude", joint)});
   }
-  // With the shapes of the stuck structure, which are wrong by 30 %, as nothing else is to tell.
+  // With the shapes of the stuck structure, which are wrong by 30 %, so that only the sensors can
+  // be right.
   const CalibrationResult found =
       test.calibrated({.frequency = FrequencyUse::kIgnore, .stuck_shapes = true});
   for (std::size_t joint = 0; joint < 2; ++joint) {

@@ -17,8 +17,7 @@
 #include "microslip/joint/dissipation.hpp"
 
 /// @file
-/// Each public function of identify/ with arguments that mean nothing: a documented value or
-/// InputError.
+/// Each public function of identify/ with invalid arguments: a documented value or InputError.
 
 namespace microslip::any_argument_test {
 namespace {

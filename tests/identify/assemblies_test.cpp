@@ -42,7 +42,7 @@ AssembliesOptions of_draws(std::size_t draws, std::uint64_t seed = 1) {
   return options;
 }
 
-/// ln of the scale of slip forces of an assembly, as assembly_of() draws it, less the mean of all.
+/// ln of the scale of slip forces of an assembly, as assembly_of() draws it, minus the mean of all.
 std::vector<double> true_log_scales(const KnownSpread& spread, std::size_t count,
                                     std::uint64_t seed) {
   std::vector<double> all;
@@ -57,7 +57,7 @@ std::vector<double> true_log_scales(const KnownSpread& spread, std::size_t count
   return all;
 }
 
-// D of what is found of each assembly is that of its joint, by the closed form of another module.
+// D of the result of each assembly is that of its joint, by the closed form of another module.
 TEST(Assemblies, FoundDissipationIsThatOfTheJointFound) {
   const auto assemblies = measured_assemblies(reference_joint(), kUsual, 3, 1, 12);
   const AssembliesResult found = identify_assemblies(assemblies, {}, of_draws(100));
@@ -75,8 +75,8 @@ TEST(Assemblies, FoundDissipationIsThatOfTheJointFound) {
   }
 }
 
-// Scales alone differ, and levels scatter little: they come out as they are. What the others have
-// in common with the middle is known to 0.2 %/√30 or so; 1 % holds what a shape takes of a scale.
+// Scales alone differ, and levels scatter little: they are recovered. The middle is known to 0.2
+// %/√30 or so; 1 % allows for the part of a scale that a shape takes.
 TEST(Assemblies, FindScalesThatAreKnown) {
   const KnownSpread spread{0.05, 0.2, 0.0};
   const auto assemblies = measured_assemblies(reference_joint(), spread, 5, 3, 30, 0.002);
@@ -105,9 +105,9 @@ TEST(Assemblies, StiffnessesAsGivenHaveTheirSpread) {
   }
   EXPECT_NEAR(std::log(found.stiffness), mean, 1e-12);
   ASSERT_TRUE(found.stiffness_spread);
-  // With p(σ) ∝ 1/σ, as the prior nearly is here, the sum of squares over σ² is χ² of 7 degrees of
-  // freedom: its quantiles at 2.5, 50 and 97.5 % are 1.690, 6.346 and 16.01. 1000 draws tell these
-  // ends to 5 %, and the prior bends them by less.
+  // With p(σ) ∝ 1/σ, as the prior nearly is here, the sum of squares over σ² is χ² of 7
+  // degrees of freedom: its quantiles at 2.5, 50 and 97.5 % are 1.690, 6.346 and 16.01. 1000 draws
+  // determine these ends to 5 %, and the prior shifts them by less.
   EXPECT_NEAR(found.stiffness_spread->median, std::sqrt(square / 6.346),
               0.08 * found.stiffness_spread->median);
   EXPECT_NEAR(found.stiffness_spread->lower, std::sqrt(square / 16.01),
@@ -116,8 +116,8 @@ TEST(Assemblies, StiffnessesAsGivenHaveTheirSpread) {
               0.20 * found.stiffness_spread->upper);
 }
 
-// One joint measured five times is one joint: the middle is what all levels together give, and the
-// next one is little less well known.
+// One joint measured five times is one joint: the middle is that of all levels together, and the
+// next one is only slightly less certain.
 TEST(Assemblies, WithoutSpreadAreOneJoint) {
   const auto assemblies = measured_assemblies(reference_joint(), kNone, 5, 7);
   const AssembliesResult found = identify_assemblies(assemblies, {}, of_draws(500));
@@ -167,7 +167,7 @@ TEST(Assemblies, AreTheSameInAnyOrderAndOnAnyThreads) {
   }
 }
 
-// A single level tells one number: together with the others' shape about the scale.
+// A single level determines one number: together with the others' shape about the scale.
 TEST(Assemblies, TakeOneOfASingleLevel) {
   const KnownSpread spread{0.0, 0.2, 0.0};
   auto assemblies = measured_assemblies(reference_joint(), spread, 5, 11, 20);
@@ -197,8 +197,8 @@ std::vector<Assembly> with_secant(const KnownSpread& spread, std::size_t count,
   return all;
 }
 
-// Ratios of k are those that k_eq tells, to 0.2 %/√20 and what the density adds; an error that all
-// k_eq have in common is of no account.
+// Ratios of k are determined by k_eq, to 0.2 %/√20 and the error of the density; an error common
+// to all k_eq does not matter.
 TEST(Assemblies, SecantStiffnessTellsRatiosOfStiffness) {
   const KnownSpread spread{0.06, 0.15, 0.0};
   double mean = 0.0;
@@ -299,7 +299,7 @@ struct Case {
   std::size_t assemblies;
 };
 
-struct Held {
+struct CoverageSums {
   double density = 0.0;
   double dissipation = 0.0;
   double stiffness = 0.0;
@@ -314,7 +314,7 @@ bool within(double value, std::vector<double> draws) {
 }
 
 /// Shares of the places at which the next assembly lies in its bands of 95 %, summed over tests.
-void add_trial(const Case& one, std::uint64_t seed, Held& held) {
+void add_trial(const Case& one, std::uint64_t seed, CoverageSums& coverage) {
   constexpr int kPlaces = 12;
   const auto assemblies = measured_assemblies(one.middle, one.spread, one.assemblies, seed);
   const AssembliesResult found = identify_assemblies(assemblies, {}, of_draws(500, seed));
@@ -336,15 +336,15 @@ void add_trial(const Case& one, std::uint64_t seed, Held& held) {
     const double phi = next.density().density(f);
     if (phi >= density_at(found.slip_force, found.next.lower, f) &&
         phi <= density_at(found.slip_force, found.next.upper, f)) {
-      held.density += 1.0 / kPlaces;
+      coverage.density += 1.0 / kPlaces;
     }
     const double a = testing::kLargestAmplitude * std::pow(0.05, 1.0 - share);
     std::vector<double> losses;
     for (const Joint& joint : joints) losses.push_back(dissipation(joint, a));
-    if (within(dissipation(next, a), std::move(losses))) held.dissipation += 1.0 / kPlaces;
+    if (within(dissipation(next, a), std::move(losses))) coverage.dissipation += 1.0 / kPlaces;
   }
-  if (within(next.stiffness(), std::move(stiffness))) held.stiffness += 1.0;
-  held.tests += 1.0;
+  if (within(next.stiffness(), std::move(stiffness))) coverage.stiffness += 1.0;
+  coverage.tests += 1.0;
 }
 
 std::vector<Case> cases() {
@@ -360,22 +360,22 @@ std::uint64_t trials() {
   return set == nullptr ? 2 : std::strtoull(set, nullptr, 10);
 }
 
-// A band of 95 % that holds what it says. Places of one test hang together, so that what they hold
+// A band of 95 % with that coverage. Places of one test are correlated, so that their coverage
 // scatters by up to √(0.95·0.05/n) over n tests: 2.5 times that below 0.95 once in a hundred and
 // fifty.
 TEST(AssemblyCoverage, OfTheNextIsWhatItSays) {
   MICROSLIP_OF_RELEASE_ALONE();
   for (const Case& one : cases()) {
-    Held held;
-    for (std::uint64_t i = 0; i < trials(); ++i) add_trial(one, 100 + i, held);
-    const double least = 0.95 - 2.5 * std::sqrt(0.95 * 0.05 / held.tests);
-    EXPECT_GE(held.density / held.tests, least) << one.name;
-    EXPECT_GE(held.dissipation / held.tests, least) << one.name;
-    EXPECT_GE(held.stiffness / held.tests, least) << one.name;
+    CoverageSums coverage;
+    for (std::uint64_t i = 0; i < trials(); ++i) add_trial(one, 100 + i, coverage);
+    const double least = 0.95 - 2.5 * std::sqrt(0.95 * 0.05 / coverage.tests);
+    EXPECT_GE(coverage.density / coverage.tests, least) << one.name;
+    EXPECT_GE(coverage.dissipation / coverage.tests, least) << one.name;
+    EXPECT_GE(coverage.stiffness / coverage.tests, least) << one.name;
     if (one.assemblies < 5) continue;
-    test::record_smallest("density [1]", held.density / held.tests);
-    test::record_smallest("dissipation [1]", held.dissipation / held.tests);
-    test::record_smallest("stiffness [1]", held.stiffness / held.tests);
+    test::record_smallest("density [1]", coverage.density / coverage.tests);
+    test::record_smallest("dissipation [1]", coverage.dissipation / coverage.tests);
+    test::record_smallest("stiffness [1]", coverage.stiffness / coverage.tests);
   }
 }
 

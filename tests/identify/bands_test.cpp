@@ -61,8 +61,8 @@ double standard_deviation(const std::vector<double>& values) {
 }
 
 // A nominal 95 % band covers the truth 95 % of the time, in simulation: 90 levels with 1 % of
-// noise, 20 data sets a density (one data set's coverage is 0 or 1 along a good part of the range,
-// so fewer would scatter by more than two points), 250 draws each.
+// noise, 20 data sets per density (one data set's coverage is 0 or 1 along a good part of the
+// range, so fewer would scatter by more than two points), 250 draws each.
 double mean_coverage(const std::vector<testing::NamedJoint>& truths, double least) {
   const std::uint64_t sets = test::draws_of(20);
   double mean = 0.0;
@@ -89,7 +89,7 @@ TEST(Bands, CoverTheTruth) {
 }
 
 // The least are those of the ramp, which ends at once, and of narrow peaks: densities that are
-// smooth nearly everywhere are wrong there, and the band knows of it in part.
+// smooth nearly everywhere are wrong there, and the band includes it in part.
 TEST(Bands, CoverDensitiesThatNothingWasChosenOn) {
   const double mean = mean_coverage(testing::unseen_truths(), 0.85);
   EXPECT_GE(mean, test::least_of(0.90));
@@ -132,7 +132,7 @@ TEST(Bands, AreQuantilesOfTheSamplesAndHoldTheEstimate) {
     std::vector<double> values;
     for (const DensitySample& sample : samples) values.push_back(read(sample));
     std::ranges::sort(values);
-    // Of densities the interval from 0 on holds 17 of them.
+    // Of densities the interval from 0 on contains 17 of them.
     const bool from_zero = estimate && values[16] <= values[18] - values[2];
     const double from = from_zero ? 0.0 : values[2];
     const double to = from_zero ? values[16] : values[18];
@@ -173,7 +173,7 @@ TEST(Bands, RefuseAPosteriorThatOverflows) {
   EXPECT_THROW((void)density_bands(spoilt, band_options(40)), InputError);
 }
 
-// Draws that are too much alike are counted for what they are worth; none of the ordinary ones is.
+// Strongly correlated draws count as few independent ones; ordinary ones do not.
 TEST(Bands, KnowHowManyIndependentDrawsTheyAreWorth) {
   for (const auto& [name, truth] : testing::all_truths()) {
     const InversionResult result = invert(testing::noisy_levels(truth, 3), kStiffness);
@@ -186,11 +186,11 @@ TEST(Bands, KnowHowManyIndependentDrawsTheyAreWorth) {
   }
 }
 
-// D with a gain error e: φ is e times what was found, and so is its area; the relative deviations
-// of gain and noise add in squares. A gain error c of A stretches f* by c and divides φ by c³, so
-// that the area goes with 1/c². At the end of the range the stretched density is cut or carried on:
-// the area is that below 40 N, five widths above the bell. 4 % and 1000 samples: the deviation is
-// known to 2.2 %; 1/c² is no straight line, which adds 2 %: 10 % are four and that.
+// D with a gain error e: φ is e times the estimate, and so is its area; the relative deviations of
+// gain and noise add in squares. A gain error c of A stretches f* by c and divides φ by c³, so
+// that the area goes with 1/c². At the end of the range the stretched density is cut or carried
+// on: the area is that below 40 N, five widths above the bell. 4 % and 1000 samples: the deviation
+// is known to 2.2 %; 1/c² is no straight line, which adds 2 %: 10 % are four and that.
 TEST(Bands, GainErrorsWidenThem) {
   const Joint truth = testing::sampled_joint([](double f) { return testing::bell(f, 15, 5); }, 60,
                                              0.5);  // area far from its limit of 1
@@ -252,7 +252,7 @@ Levels levels_with_linear_loss(const Joint& truth) {
   return levels;
 }
 
-/// The same levels as they are found with a loss factor a share δ too large.
+/// The same levels with a loss factor a share δ too large.
 Levels with_loss_factor_error(Levels levels, double delta) {
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels.dissipation[i] =
@@ -261,10 +261,11 @@ Levels with_loss_factor_error(Levels levels, double delta) {
   return levels;
 }
 
-// Against the spread of what 200 laboratories find, each with a loss factor of its own, 2 % off:
-// the quarter to three-quarter width of their densities is that of the band that one of them gives
-// with loss_factor_std, and wider than without. D is given to 0.5 %, so noise adds little. 200
-// draws know a quartile width to 7 %, and the samples are smoothed less than the solutions: 30 %.
+// Against the spread of the results of 200 laboratories, each with a loss factor of its own, 2 %
+// off: the quarter to three-quarter width of their densities is that of the band of one of them
+// with loss_factor_std, and wider than without. D is known to 0.5 %, so noise adds little. 200
+// draws determine a quartile width to 7 %, and the samples are smoothed less than the solutions: 30
+// %.
 TEST(Bands, LossFactorErrorsWidenThem) {
   MICROSLIP_STUDY();
   constexpr int kLaboratories = 200;
@@ -307,14 +308,14 @@ TEST(Bands, LossFactorErrorsWidenThem) {
 }
 
 // The true density is in the band of a test whose loss factor is wrong, 3 % or so, where the error
-// is told; without, it is not.
+// is given; without, it is not.
 TEST(Bands, CoverTheTruthWithAWrongLossFactor) {
   MICROSLIP_STUDY();
   constexpr std::uint64_t kSets = 40;
   constexpr double kStd = 0.03;
   const Joint truth = testing::reference_joint();
-  double told = 0.0;
-  double untold = 0.0;
+  double with_option = 0.0;
+  double without_option = 0.0;
   for (std::uint64_t draw = 0; draw < kSets; ++draw) {
     RandomStream random(8, draw);
     Levels levels = levels_with_linear_loss(truth);
@@ -334,15 +335,15 @@ TEST(Bands, CoverTheTruthWithAWrongLossFactor) {
       }
       return inside / 21.0 / static_cast<double>(kSets);
     };
-    untold += low(density_bands(result, options));
+    without_option += low(density_bands(result, options));
     result.posterior.common_errors.loss_factor_std = kStd;
-    told += low(density_bands(result, options));
+    with_option += low(density_bands(result, options));
   }
-  std::cout << "  coverage from 0.5 to 2.5 N: " << told << ", without the option " << untold
-            << '\n';
-  EXPECT_GE(told, 0.90);
-  EXPECT_LE(untold, 0.75);
-  test::record_largest("loss factor told [1]", told);
+  std::cout << "  coverage from 0.5 to 2.5 N: " << with_option << ", without the option "
+            << without_option << '\n';
+  EXPECT_GE(with_option, 0.90);
+  EXPECT_LE(without_option, 0.75);
+  test::record_largest("loss factor given [1]", with_option);
 }
 
 // A band of β and one of the atom's weight where they were sought; the value found is inside.

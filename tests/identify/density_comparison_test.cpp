@@ -45,8 +45,8 @@ TEST(DensityComparison, TakesADensityAtPoints) {
   EXPECT_THROW((void)density_error({}, {}, 10.0, kTruth), InputError);
 }
 
-// A band that rises through the truth, 0.1, holds it where lower ≤ 0.1 ≤ upper: from 2.5 to 7.5 N
-// of 0 … 10 N.
+// A band that rises through the truth, 0.1, contains it where lower ≤ 0.1 ≤ upper: from 2.5 to
+// 7.5 N of 0 … 10 N.
 TEST(DensityComparison, CoverageIsTheShareInsideTheBand) {
   Identification found = uniform(1.0);
   found.slip_force = {0.0, 10.0};

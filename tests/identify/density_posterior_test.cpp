@@ -36,7 +36,8 @@ MatrixXd matrix_of(const PlainMatrix& plain) {
   return matrix;
 }
 
-/// 90 levels of which each D is known to 1 %, on as few coefficients as chance finds densities on.
+/// 90 levels of which each D is known to 1 %, on so few coefficients that random densities are
+/// found.
 DensityPosterior small_posterior() {
   Levels levels = testing::noisy_levels(testing::reference_joint(), 3);
   for (const double d : levels.dissipation) levels.dissipation_std.push_back(0.01 * d);
@@ -68,7 +69,7 @@ class PriorTruths {
     while (true) {
       const double lambda =
           smoothing_.least * std::pow(smoothing_.most / smoothing_.least, random.uniform());
-      VectorXd local(n - 2);  // a node a row
+      VectorXd local(n - 2);  // one node per row
       for (double& value : local) value = 3.0 * random.normal();
       local = (local.array() - local.mean()).exp().matrix();
       VectorXd right(n);
@@ -90,8 +91,8 @@ class PriorTruths {
   Eigen::PartialPivLU<MatrixXd> solver_;
 };
 
-/// What levels of these coefficients say, of scatter 1: the rows are turned, and one more than
-/// there are coefficients stands for all others.
+/// Likelihood of levels of these coefficients, of scatter 1: the rows are rotated, and one more
+/// than there are coefficients stands for all others.
 void measure(const VectorXd& x, RandomStream& random, PosteriorRows& rows) {
   VectorXd data = matrix_of(rows.factor) * x;
   for (double& value : data) value += random.normal();
@@ -109,7 +110,7 @@ TEST(DensityPosterior, HasUniformRanks) {
   MICROSLIP_OF_RELEASE_ALONE();
   constexpr std::uint64_t kTruths = 1000;
   constexpr std::size_t kKept = 19;
-  constexpr std::size_t kThin = 4;  // neighbours are alike
+  constexpr std::size_t kThin = 4;  // neighbours are correlated
   constexpr std::size_t kBins = 20;
   DensityPosterior posterior = small_posterior();
   const PriorTruths truths(posterior);
@@ -157,14 +158,14 @@ TEST(DensityPosterior, DrawsAreFunctionsOfSeedAndIndex) {
   EXPECT_NE(posterior.samples(5, 1)[0].density, many[0].density);
 }
 
-// The two kinds of rows scatter each as they do, and k_eq at least as it is said to: a k_eq that
-// fits to a tenth of its deviation does not narrow the band ten times.
+// The two kinds of rows have scatters of their own, k_eq at least that stated: a k_eq that fits to
+// a tenth of its deviation does not narrow the band ten times.
 TEST(DensityPosterior, KeepsToTheDeviationsOfSecantStiffness) {
   const Joint truth = testing::reference_joint();
   Levels levels = testing::noisy_levels(truth, 11);
   testing::add_secant(truth, 1e-4, 11, levels);
-  const auto width = [&](double told) {
-    levels.secant_stiffness_std.assign(levels.size(), told * kStiffness);
+  const auto width = [&](double deviation) {
+    levels.secant_stiffness_std.assign(levels.size(), deviation * kStiffness);
     const InversionResult result = invert(levels, kStiffness);
     double least = 1.0;
     double most = 0.0;

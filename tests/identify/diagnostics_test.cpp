@@ -82,8 +82,8 @@ Levels sessions(const Joint& joint, const std::vector<double>& factors, double n
   return all;
 }
 
-// Two sessions 10 % above and below their mean: 10 % of scatter, of which the residual about the
-// means has nothing.
+// Two sessions 10 % above and below their mean: 10 % of scatter, which the residual about the means
+// does not contain.
 TEST(Diagnostics, OfSessionsThatDiffer) {
   const Levels levels = sessions(testing::reference_joint(), {0.9, 1.1}, 1e-3);
   EXPECT_NE(text_of(diagnose(levels), "repeats_differ").find("differs by 14.1 %"),
@@ -102,7 +102,7 @@ TEST(Diagnostics, OfSessionsThatDiffer) {
   }
 }
 
-// A column of k_eq that nobody gave a deviation for: smooth, and half as soft as D says.
+// A column of k_eq without deviations: smooth, and half as soft as D requires.
 TEST(Diagnostics, OfStiffnessThatContradictsDissipation) {
   Levels levels = testing::noisy_levels(testing::reference_joint(), 7, 5e-3);
   testing::add_secant(testing::reference_joint(), 0.0, 7, levels);
@@ -114,10 +114,9 @@ TEST(Diagnostics, OfStiffnessThatContradictsDissipation) {
   EXPECT_NE(text.find("less accurate than 0.10 % of k"), std::string::npos) << text;
 }
 
-// Warnings that cry wolf are not read. 200 clean data sets, as they may come: any of the densities,
-// 20 to 200 levels in equal steps or ratios over 0.7 to 2.5 decades, 0.1 to 5 % of noise with its
-// size told or not, secant stiffness or not. One false alarm in 100 is allowed of the three that
-// accuse the data.
+// False alarms must be rare. 200 clean data sets, at random: any of the densities, 20 to 200 levels
+// in equal steps or ratios over 0.7 to 2.5 decades, 0.1 to 5 % of noise with its size given or not,
+// secant stiffness or not. One false alarm in 100 is allowed of the three warnings of faulty data.
 TEST(Diagnostics, NoFalseAlarms) {
   const std::uint64_t sets = test::draws_of(200, 20);
   const std::vector<testing::NamedJoint> truths = testing::all_truths();
@@ -192,8 +191,8 @@ double dissipation_under_varying_load(const JenkinsNetwork& network, double ampl
 }
 
 // A contact that opens over part of the cycle once the amplitude passes a threshold at 0.6 A_max:
-// there D falls behind, D″ < 0, and (9) gives a negative density [AR14 App. B]. Found in each of 20
-// draws of 1 % noise; the same joint under constant load is never accused.
+// there D falls behind, D″ < 0, and (9) gives a negative density [AR14 App. B]. Found in each of
+// 20 draws of 1 % noise; the same joint under constant load never gives a warning.
 TEST(Diagnostics, DensityNegativeUnderVaryingNormalLoad) {
   const auto network = JenkinsNetwork::discretise(testing::reference_joint(), 100);
   for (const double loss : {0.0, 0.8}) {
@@ -217,9 +216,9 @@ TEST(Diagnostics, DensityNegativeUnderVaryingNormalLoad) {
   }
 }
 
-// D with a bump of 20 % over 3 N (standard deviation), which bends it the wrong way at 28 N: −2
-// times the true density there. 1 % of noise hides it at worst in half of the draws; always where
-// the second population, which begins to rise there, bends D up again.
+// D with a bump of 20 % over 3 N (standard deviation), which makes it concave at 28 N: −2 times
+// the true density there. 1 % of noise hides it at worst in half of the draws; always where the
+// second population, which begins to rise there, bends D up again.
 TEST(Diagnostics, DensityNegativeWhereDIsDented) {
   const std::uint64_t draws = test::draws_of(kDraws, 4);
   for (const auto& [name, truth] : testing::all_truths()) {
@@ -246,9 +245,9 @@ TEST(Diagnostics, DensityNegativeWhereDIsDented) {
 // One level 15 % too high at 1 % noise: the line through its neighbours is 12 standard deviations
 // below.
 TEST(Diagnostics, DataNotConvex) {
-  for (const bool told : {false, true}) {
+  for (const bool given : {false, true}) {
     Levels levels = testing::noisy_levels(testing::reference_joint(), 1);
-    if (told) {
+    if (given) {
       for (const double d : levels.dissipation) levels.dissipation_std.push_back(0.01 * d);
     }
     levels.dissipation[50] *= 1.15;
@@ -261,7 +260,7 @@ TEST(Diagnostics, DataNotConvex) {
 
 // k four times too low makes the density four times too high and four times narrower in f*: the
 // area is the same share of a k that is too small. D, A and the true k of a joint whose area is
-// 0.85 below kA_max then ask for 3.4.
+// 0.85 below kA_max then require 3.4.
 TEST(Diagnostics, StiffnessInconsistent) {
   const Levels levels = testing::noisy_levels(testing::reference_joint(), 2);
   const double low = kStiffness / 4.0;
@@ -273,8 +272,8 @@ TEST(Diagnostics, StiffnessInconsistent) {
   EXPECT_FALSE(has(warnings_of(levels, 2.0 * kStiffness), "stiffness_inconsistent"));
 }
 
-// k_eq that belongs to a k 10 % higher: only its change over the amplitude was used, and it is
-// said. At 0.3 %, better than anyone knows k, nothing is, nor where k_eq is not known that well.
+// k_eq that belongs to a k 10 % higher: only its change over the amplitude was used, and there is a
+// warning. There is none at 0.3 %, below the accuracy of k, nor where k_eq is not known that well.
 TEST(Diagnostics, SecantInconsistent) {
   const Joint truth = testing::reference_joint();
   for (const double offset : {-0.04, 0.003, 0.04, 0.1}) {
@@ -289,7 +288,7 @@ TEST(Diagnostics, SecantInconsistent) {
   }
 }
 
-// A k a thousand times too high is possible for D alone; that nothing tells of it is said.
+// A k a thousand times too high is possible for D alone; a warning states that nothing verifies it.
 TEST(Diagnostics, StiffnessUnchecked) {
   const Joint truth = testing::reference_joint();
   Levels levels = testing::noisy_levels(truth, 7);
@@ -301,8 +300,8 @@ TEST(Diagnostics, StiffnessUnchecked) {
 }
 
 // The standard deviation of D is right, that of k_eq, whose errors are taken as common to all
-// levels, four times its scatter: each is told by itself (90 levels: one over √180 is 7 %, with the
-// fit's freedom 10 %, three of it).
+// levels, four times its scatter: each has a warning of its own (90 levels: one over √180 is 7 %,
+// with the fit's freedom 10 %, three of it).
 TEST(Diagnostics, ScatterOfEachKind) {
   const Joint truth = testing::reference_joint();
   Levels levels = testing::noisy_levels(truth, 11);
@@ -345,8 +344,8 @@ TEST(Diagnostics, DampingAmbiguous) {
 }
 
 // D = βA² without any slip: neither noise nor its absence hides it. A joint whose φ falls as a
-// power law has D between A² and A³, and is told from it; so is one with secant stiffnesses, which
-// damping leaves.
+// power law has D between A² and A³, and is distinguished from it; so is one with secant
+// stiffnesses, which damping does not change.
 TEST(Diagnostics, DampingSuspected) {
   Levels levels;
   for (int i = 1; i <= 40; ++i) {
@@ -363,7 +362,7 @@ TEST(Diagnostics, DampingSuspected) {
   }
 }
 
-// The exponent is that of the levels, not a 2 that was looked for.
+// The exponent is that of the levels, not an assumed 2.
 TEST(Diagnostics, TheExponentOfDIsTold) {
   const auto grown = [](double exponent, double noise) {
     Levels levels;
@@ -389,7 +388,7 @@ TEST(Diagnostics, TheExponentOfDIsTold) {
 }
 
 // A joint that is followed far into macro-slip, to six times the largest slip force, begins above
-// A²; nor is any of the others accused.
+// A²; no other gives a warning either.
 TEST(Diagnostics, MacroslipIsNoExponentBelowTwo) {
   const Joint uniform = testing::joint_of({UniformPart{0.0, 8.0, 0.9}});
   EXPECT_FALSE(has(diagnose(testing::exact_levels(uniform)), "exponent_below_two"));
@@ -398,11 +397,11 @@ TEST(Diagnostics, MacroslipIsNoExponentBelowTwo) {
   }
 }
 
-// Solutions beside the result: all of the path, its first pass and two judgements; they converge.
+// Solutions beside the result: all of the path, its first pass and two tests; they converge.
 TEST(Diagnostics, InnerSolutionsAreCounted) {
   const Levels levels = testing::noisy_levels(testing::reference_joint(), 7);
   InversionOptions options;
-  options.edges = false;  // their search takes as many as it takes
+  options.edges = false;  // their search takes any number
   InversionResult result = invert(levels, kStiffness, options);
   EXPECT_EQ(result.inner_solutions, 25U + 50U + 2U - 1U);
   EXPECT_EQ(result.inner_not_converged, 0U);
@@ -440,19 +439,19 @@ TEST(Diagnostics, Scatter) {
   EXPECT_FALSE(has(warnings_of(good), "scatter_large"));
 
   const std::vector<double> d = testing::exact_levels(testing::reference_joint()).dissipation;
-  const auto told = [&](double share) {
+  const auto given = [&](double share) {
     Levels with = good;
     with.dissipation_std.clear();
     for (const double value : d) with.dissipation_std.push_back(share * value);
     return warnings_of(with);
   };
-  EXPECT_TRUE(has(told(0.015), "scatter_large"));  // 3.3 times what was said
-  EXPECT_TRUE(has(told(0.25), "scatter_small"));   // a fifth of it
-  EXPECT_FALSE(has(told(0.05), "scatter_large"));
-  EXPECT_FALSE(has(told(0.05), "scatter_small"));
+  EXPECT_TRUE(has(given(0.015), "scatter_large"));  // 3.3 times the given one
+  EXPECT_TRUE(has(given(0.25), "scatter_small"));   // a fifth of it
+  EXPECT_FALSE(has(given(0.05), "scatter_large"));
+  EXPECT_FALSE(has(given(0.05), "scatter_small"));
 }
 
-// A loss factor 2 % too large, and k_eq that it does not touch: both cannot be fitted at once.
+// A loss factor 2 % too large, and k_eq that it does not affect: both cannot be fitted at once.
 TEST(Diagnostics, ScatterOfAWrongLossFactor) {
   const Joint truth = testing::reference_joint();
   for (const double error : {0.0, 0.02}) {

@@ -24,15 +24,15 @@ namespace {
 using testing::kReach;
 using testing::kStiffness;
 
-/// A population that begins and ends at once: where the search was tried first.
+/// A population that begins and ends abruptly: the search was developed on it.
 Joint box() { return testing::joint_of({UniformPart{10, 30, 0.8}}); }
 
 Joint two_boxes() { return testing::joint_of({UniformPart{5, 15, 0.4}, UniformPart{25, 35, 0.4}}); }
 
-/// φ ∝ f*^−0.3 that ends at 33 N; no part of the search was chosen on it.
+/// φ ∝ f*^−0.3 that ends at 33 N; the search was not tuned to it.
 Joint cut_power_law() { return testing::joint_of({PowerLawPart{0.05, -0.3, 0, 33}}); }
 
-/// A smooth population and one that ends at once on either side; likewise.
+/// A smooth population and one that ends abruptly on either side; not used for tuning either.
 Joint bell_and_box() {
   return testing::sampled_joint(
       [](double f) { return 0.7 * testing::bell(f, 9, 3) + (f > 28 && f < 40 ? 0.5 : 0.0); }, 60,
@@ -53,25 +53,25 @@ InversionResult inverted(const Joint& truth, std::uint64_t draw, bool edges = tr
   return invert(testing::noisy_levels(truth, draw), kStiffness, options);
 }
 
-/// Share of 5 to 95 % of the range at which a band holds the truth.
+/// Share of 5 to 95 % of the range at which a band contains the truth.
 double covered_share(const InversionResult& result, const DensityBands& bands, const Joint& truth) {
-  int held = 0;
+  int covered = 0;
   for (int i = 0; i <= 200; ++i) {
     const double f = kReach * (0.05 + 0.9 * i / 200);
     const double expected = truth.density().density(f);
     const bool inside = expected >= testing::density_at(result.slip_force, bands.lower, f) - 1e-9 &&
                         expected <= testing::density_at(result.slip_force, bands.upper, f) + 1e-9;
-    held += inside ? 1 : 0;
+    covered += inside ? 1 : 0;
   }
-  return held / 201.0;
+  return covered / 201.0;
 }
 
 // 1 % of noise on 90 levels leaves the place of an edge uncertain by some 1 % of its slip force. An
-// edge that is δ off costs √(δ/width) or so in this norm, 0.1 for 1 % of the width: the place alone
-// tells how far the density is off. In two of the twelve sets of the box the search ends at one
-// edge of the two; the share below is a little less than what was measured. The bounds of the
-// errors are what was measured, and a fifth. Beside a smooth population the two edges of a faint
-// one are not found: without them the density is no worse than a smooth one.
+// error δ of an edge costs √(δ/width) or so in this norm, 0.1 for 1 % of the width: the place
+// alone determines the error of the density. In two of the twelve sets of the box the search ends
+// at one edge of the two; the share below is a little less than the measured one. The bounds of the
+// errors are the measured ones and a fifth. Beside a smooth population the two edges of a faint one
+// are not found: without them the density is no worse than a smooth one.
 TEST(EdgeSearch, FindsPopulationsThatEndAtOnce) {
   const std::vector<Edged> cases{{"box", box(), {10, 30}, 0.08},
                                  {"ramp", testing::ramp(), {38}, 0.15},
@@ -107,7 +107,7 @@ TEST(EdgeSearch, FindsPopulationsThatEndAtOnce) {
   }
 }
 
-// Nothing that is smooth, bends or peaks has an edge found in it, whatever the noise.
+// No edge is found in a density that is smooth, bends or peaks, whatever the noise.
 TEST(EdgeSearch, FindsNoneInDensitiesWithoutEdges) {
   MICROSLIP_OF_RELEASE_ALONE();
   std::vector<testing::NamedJoint> truths = testing::all_truths();
@@ -129,8 +129,7 @@ TEST(EdgeSearch, FindsNoneInDensitiesWithoutEdges) {
   test::record_largest_of_draws("false edges, share [1]", static_cast<double>(wrong) / runs);
 }
 
-// The draws have their edge where the levels leave it possible: as far apart as the place is
-// uncertain, and the truth among them.
+// The edges of the draws scatter by the uncertainty of the place, and the truth is among them.
 TEST(EdgeSearch, DrawsHaveTheirEdgesAtDifferentPlaces) {
   const InversionResult result = inverted(testing::ramp(), 1);
   ASSERT_EQ(result.edges.size(), 1U);
@@ -227,8 +226,7 @@ std::pair<int, int> atoms_of(const Joint& truth) {
 
 // An atom was sought beside a smooth density alone: beside a box it was missed, and one was found
 // where none is, at the end of a density that ends at once, in all draws tried. Now 3, 6 and 6 of
-// six are found, and two of twelve where none is. What is missed is a narrow population between two
-// edges.
+// six are found, and two of twelve where none is. A narrow population between two edges is missed.
 TEST(EdgeSearch, TellsAtomsFromPopulationsThatEndAtOnce) {
   MICROSLIP_OF_RELEASE_ALONE();
   const AtomsPart atom{{42.0}, {0.2}};
@@ -246,8 +244,8 @@ TEST(EdgeSearch, TellsAtomsFromPopulationsThatEndAtOnce) {
   test::record_largest_of_draws("atoms where none are, share [1]", of_none / 12.0);
 }
 
-// Sensors are wrong by 3 % of D and 2 % of A, other errors for each set, and the band says so: it
-// covers as it does without them, the edge and what lies beside it.
+// Sensors are wrong by 3 % of D and 2 % of A, other errors for each set, and the band includes it:
+// it covers as it does without them, at the edge and beside it.
 TEST(EdgeSearch, BandsHoldEdgesOfSensorsThatAreWrong) {
   const CommonErrors errors{.dissipation_gain_std = 0.03, .amplitude_gain_std = 0.02};
   for (const testing::NamedJoint& known :

@@ -38,8 +38,8 @@ Levels levels_of(std::size_t count) {
   return levels;
 }
 
-// Without deviations a level has the share of D that was found, 1 % to the third that 20 levels
-// know it; with them, what was given at that amplitude: here 1 % below and 4 % above.
+// Without deviations a level has the relative scatter of D that was found, 1 % to the third that 20
+// levels determine it; with them, the given one at that amplitude: here 1 % below and 4 % above.
 TEST(FurtherLevels, HaveTheNoiseOfTheLevels) {
   const std::vector<double> at{5e-5, 1e-4, 2.5e-4};
   Levels levels = levels_of(40);
@@ -55,8 +55,8 @@ TEST(FurtherLevels, HaveTheNoiseOfTheLevels) {
                                      levels.dissipation[i]);
   }
   const Known given = known(levels);
-  const FurtherLevels told = further_levels(given.evidence, given.result, given.joints, at);
-  EXPECT_NEAR(told.dissipation_std[2] / told.dissipation_std[1] /
+  const FurtherLevels weighted = further_levels(given.evidence, given.result, given.joints, at);
+  EXPECT_NEAR(weighted.dissipation_std[2] / weighted.dissipation_std[1] /
                   (dissipation(testing::reference_joint(), at[2]) /
                    dissipation(testing::reference_joint(), at[1])),
               4.0, 0.3);
@@ -101,9 +101,9 @@ TEST(FurtherLevels, OfTheSecantStiffnessAreLessTheMean) {
   EXPECT_NEAR(further.secant_offset_std, further.secant_stiffness_std[0] / std::sqrt(30.0), 1e-6);
 }
 
-// Beyond the levels draws are wider, but the prior knows them as smooth as they are below, and
-// within as they were: nothing was measured. To a half, which is what another basis, given
-// deviations and 300 draws of which a fifth are independent change.
+// Beyond the levels draws are wider, but by the prior as smooth as they are below; within, they are
+// unchanged: nothing was measured. To a half, which is the effect of another basis, given
+// deviations and 300 draws of which a fifth are independent.
 TEST(FurtherLevels, ReachBeyondTheLevels) {
   const LevelEvidence evidence(levels_of(40));
   const InversionResult result = invert(evidence, kStiffness);

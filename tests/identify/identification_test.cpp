@@ -87,8 +87,8 @@ TEST(Identification, AtomAndDamping) {
   EXPECT_GE(*found.linear_damping, 0.0);
 }
 
-// Differences of noisy data are mostly noise: the joint is what is left when the negative half is
-// clipped and the area brought to 1, and both are said.
+// Differences of noisy data are mostly noise: the joint is that with the negative half clipped and
+// the area scaled to 1, and both give a warning.
 TEST(Identification, DifferencesAreMadeFeasible) {
   const Identification found =
       identify(testing::noisy_levels(testing::reference_joint(), 3), kStiffness,
@@ -97,7 +97,7 @@ TEST(Identification, DifferencesAreMadeFeasible) {
   EXPECT_TRUE(has(found, "density_scaled"));
   EXPECT_NEAR(found.joint.density().total().zeroth, 1.0, 1e-9);
   EXPECT_GE(*std::ranges::min_element(found.density), 0.0);  // the density is that of the joint …
-  ASSERT_TRUE(found.differences() != nullptr);  // … and what was found is kept as it was
+  ASSERT_TRUE(found.differences() != nullptr);               // … and the original result is kept
   EXPECT_LT(*std::ranges::min_element(found.differences()->density), 0.0);
   EXPECT_TRUE(found.summary.converged());
   const Levels three = testing::levels_at(testing::reference_joint(), {1e-5, 1e-4, 3e-4});
@@ -115,7 +115,8 @@ TEST(Identification, Spline) {
   EXPECT_NEAR(dissipation(found.joint, 2e-4) / dissipation(truth, 2e-4), 1.0, 0.1);
 }
 
-// A parametric model replaces the joint and the density for plots; what the inversion found stays.
+// A parametric model replaces the joint and the density for plots; the result of the inversion
+// stays.
 TEST(Identification, ParametricFit) {
   const Joint truth = Joint::four_parameter(17.5, kStiffness, -0.5, 1.0 / 3.0);
   IdentificationOptions options = options_for();
@@ -143,7 +144,7 @@ TEST(Identification, BandsNeedTheInversion) {
   }
 }
 
-// The band of the free density would pass for one of the model.
+// The band of the free density would be taken for one of the model.
 TEST(Identification, BandsNeedTheFreeDensity) {
   IdentificationOptions options = options_for();
   options.fit = ParametricModel::kPowerLaw;
@@ -160,7 +161,7 @@ TEST(Identification, BandsNeedTheFreeDensity) {
 }
 
 // k_eq and frequencies judge the joint that is given, whatever the method: here that of a model
-// that has 26 % of k too much.
+// with a k that is 26 % too large.
 TEST(Identification, StiffnessJudgesTheJointOfEachMethod) {
   const Joint truth = testing::joint_of({UniformPart{0.0, 40.0, 0.5}});
   Levels levels = testing::exact_levels(truth);

@@ -87,9 +87,9 @@ TEST(InversionBasis, DissipationIsTheIntegral) {
   }
 }
 
-// 1 − k_eq/k of an element that slips at share y of the amplitude, integrated likewise. The library
-// takes differences of antiderivatives, which cancel in narrow cells: 1e−12 of the largest possible
-// value, the area, is what is asked for.
+// 1 − k_eq/k of an element that slips at share y of the amplitude, integrated in the same manner.
+// The library takes differences of antiderivatives, which cancel in narrow cells: 1e−12 of the
+// largest possible value, the area, is required.
 TEST(InversionBasis, SofteningIsTheIntegral) {
   for (const Case& c : kCases) {
     const InversionBasis basis = c.basis();

@@ -27,9 +27,9 @@ PassOptions pass_with(const ScaledLevels& levels, std::vector<BasisEdge> edges) 
   return pass;
 }
 
-/// −2 log of the density of y ~ N(0, σ²(I + A P⁻¹ Aᵀ)), less m ln 2π, from the matrices themselves:
-/// P = λLᵀL and the precision of what that leaves free, on each range between edges that of its
-/// size.
+/// −2 log of the density of y ~ N(0, σ²(I + A P⁻¹ Aᵀ)), less m ln 2π, from the matrices
+/// themselves: P = λLᵀL and the precision of the unpenalised part, on each range between edges
+/// that of its size.
 double dense_evidence(const InversionModel& model, const SmoothingPoint& point) {
   const SmoothingProblem& problem = model.problem();
   // Levels near the floor of the weights count as less than one.
@@ -42,7 +42,7 @@ double dense_evidence(const InversionModel& model, const SmoothingPoint& point) 
   Eigen::Index begin = 0;
   for (Eigen::Index range = 0; range < model.basis().ranges(); ++range) {
     const Eigen::Index count = model.basis().size_of(range);
-    // Straight lines: what the penalty of a range leaves free.
+    // Straight lines: the unpenalised part of a range.
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(
         Eigen::MatrixXd(prior.block(begin, begin, count, count)));
     const Eigen::MatrixXd lines = spectrum.eigenvectors().leftCols(2);
@@ -61,9 +61,9 @@ double dense_evidence(const InversionModel& model, const SmoothingPoint& point) 
          (rows - static_cast<double>(problem.rows())) * std::log(variance);
 }
 
-// 10 % of noise, beside which what the basis resolves no further, 0.3 %, is nothing.
-// Where no limit holds a coefficient the likelihood has a closed form. evidence() leaves out what
-// the prior of the straight lines pulls at the solution: up to 1 a range, 0.6 to 0.97 here.
+// 10 % of noise, compared with which the resolution of the basis, 0.3 %, is negligible. Where no
+// limit holds a coefficient the likelihood has a closed form. evidence() neglects the pull of the
+// prior of the straight lines on the solution: up to 1 per range, 0.6 to 0.97 here.
 TEST(InversionModel, EvidenceIsTheMarginalLikelihood) {
   const LevelEvidence evidence(testing::noisy_levels(testing::uniform_beyond_range(), 3, 0.1));
   const ScaledLevels levels(evidence, kStiffness);

@@ -43,7 +43,7 @@ bool warns(const InversionResult& result, const Levels& levels, const InversionO
                              [&](const Warning& warning) { return warning.code == code; });
 }
 
-/// What holds for every result: a feasible density, an area that is its integral, optimality of
+/// Properties of every result: a feasible density, an area that is its integral, optimality of
 /// every point of the path to 1e-9 beyond rounding.
 void expect_sound(const InversionResult& result) {
   EXPECT_TRUE(result.summary.converged()) << result.summary.full();
@@ -73,7 +73,7 @@ void expect_sound(const InversionResult& result) {
   }
 }
 
-/// Median of the errors of draws of noise on D, to be held to bound_of().
+/// Median of the errors of draws of noise on D, to be compared with bound_of().
 double median_error(const Joint& truth, const std::function<Levels(std::uint64_t)>& levels,
                     std::uint64_t draws = test::draws_of(kDraws)) {
   std::vector<double> errors;
@@ -85,8 +85,8 @@ double median_error(const Joint& truth, const std::function<Levels(std::uint64_t
   return testing::median(errors);
 }
 
-// The figures that the method is specified by: 90 levels in equal steps, 1 % of noise on D whose
-// size is not told, 5 to 95 % of kA_max.
+// The specification of the method: 90 levels in equal steps, 1 % of noise on D whose size is not
+// given, 5 to 95 % of kA_max.
 struct Specified {
   testing::NamedJoint truth;
   double bound;
@@ -135,7 +135,7 @@ TEST(Inversion, AgreesWithAnIndependentImplementation) {
 
   options.lambda = kLambda;
   const InversionResult result = invert(levels, kStiffness, options);
-  // φ at the knots is s^χ₀ of its coefficient, times what is common to all.
+  // φ at the knots is s^χ₀ of its coefficient, times a common factor.
   const DensityPosterior& posterior = result.posterior;
   const auto reference = [&](std::size_t knot) {
     const auto row = posterior.density.values.begin() +
@@ -158,8 +158,8 @@ TEST(Inversion, AgreesWithAnIndependentImplementation) {
   EXPECT_NEAR(error_of(result, truth), 0.048801193, 1e-3);  // theirs is over other points
 }
 
-// Without noise what remains is the smoothing that the rule cannot do without and, where the
-// density has an edge, the basis: 0.005, and 0.006 for the power law that is cut off within 12 N.
+// Without noise the remaining error is the least smoothing of the rule and, where the density has
+// an edge, the basis: 0.005, and 0.006 for the power law that is cut off within 12 N.
 TEST(Inversion, ExactLevels) {
   for (const auto& [name, truth] : testing::all_truths()) {
     const InversionResult result = invert(testing::exact_levels(truth), kStiffness);
@@ -177,7 +177,7 @@ TEST(Inversion, FindsTheScatter) {
   const Joint truth = testing::reference_joint();
   const std::uint64_t draws = test::draws_of(kDraws, 5);
   double relative = 0.0;
-  double told = 0.0;
+  double given = 0.0;
   for (std::uint64_t draw = 0; draw < draws; ++draw) {
     Levels levels = testing::noisy_levels(truth, draw);
     const InversionResult result = invert(levels, kStiffness);
@@ -188,42 +188,42 @@ TEST(Inversion, FindsTheScatter) {
     }
     const InversionResult weighted = invert(levels, kStiffness);
     EXPECT_FALSE(weighted.scatter_is_relative);
-    told += weighted.scatter / static_cast<double>(draws);
+    given += weighted.scatter / static_cast<double>(draws);
   }
   EXPECT_NEAR(relative, 0.01, test::bound_of(0.0006));
-  EXPECT_NEAR(told, 0.5, test::bound_of(0.03));
+  EXPECT_NEAR(given, 0.5, test::bound_of(0.03));
 }
 
-// D″ = −4AF″: secant stiffness is a second measurement of the same density. 0.1 % of scatter lowers
-// the error by 18 %, with its size told by 25 %; 15 % is asked for. Medians of 80 draws: those of
-// 20 scatter by a tenth themselves.
+// D″ = −4AF″: secant stiffness is a second measurement of the same density. 0.1 % of scatter
+// lowers the error by 18 %, with its size given by 25 %; 15 % is required. Medians of 80 draws:
+// those of 20 scatter by a tenth themselves.
 TEST(Inversion, SecantStiffnessHelps) {
   MICROSLIP_STUDY();
   const Joint truth = testing::reference_joint();
-  const auto levels_with = [&](std::uint64_t draw, bool told) {
+  const auto levels_with = [&](std::uint64_t draw, bool given) {
     Levels levels = testing::noisy_levels(truth, draw);
     testing::add_secant(truth, 1e-3, draw, levels);
     for (const double k : levels.secant_stiffness) {
-      if (told) levels.secant_stiffness_std.push_back(1e-3 * k);
+      if (given) levels.secant_stiffness_std.push_back(1e-3 * k);
     }
     return levels;
   };
   constexpr std::uint64_t kMany = 80;
   const double without = median_error(
       truth, [&](std::uint64_t draw) { return testing::noisy_levels(truth, draw); }, kMany);
-  const double untold = median_error(
+  const double not_given = median_error(
       truth, [&](std::uint64_t draw) { return levels_with(draw, false); }, kMany);
-  const double told = median_error(
+  const double given = median_error(
       truth, [&](std::uint64_t draw) { return levels_with(draw, true); }, kMany);
-  EXPECT_LT(untold, 0.85 * without);
-  EXPECT_LT(told, 0.85 * without);
-  test::record_largest("scatter not told [1]", untold / without);
-  test::record_largest("scatter told [1]", told / without);
-  std::cout << "  reference: " << without << ", with k_eq " << untold << ", its scatter told "
-            << told << '\n';
+  EXPECT_LT(not_given, 0.85 * without);
+  EXPECT_LT(given, 0.85 * without);
+  test::record_largest("scatter not given [1]", not_given / without);
+  test::record_largest("scatter given [1]", given / without);
+  std::cout << "  reference: " << without << ", with k_eq " << not_given << ", its scatter given "
+            << given << '\n';
 }
 
-// The level of k_eq depends on a k that no one knows to 0.1 %: it must not count, only its course.
+// The level of k_eq depends on a k that is not known to 0.1 %: it must not count, only its change.
 // An offset of 5 % of k changes nothing but rounding.
 TEST(Inversion, OffsetOfSecantStiffnessDoesNotCount) {
   const Joint truth = testing::reference_joint();
@@ -240,26 +240,26 @@ TEST(Inversion, OffsetOfSecantStiffnessDoesNotCount) {
   }
 }
 
-// A third of the levels scatters ten times as much. Told so, the error is lower than when all count
-// alike; by half or so, 20 % is asked for.
+// A third of the levels scatters ten times as much. With that given, the error is lower than when
+// all count alike; by half or so, 20 % is required.
 TEST(Inversion, GivenDeviationsWeigh) {
   const Joint truth = testing::reference_joint();
-  const auto levels_with = [&](std::uint64_t draw, bool told) {
+  const auto levels_with = [&](std::uint64_t draw, bool given) {
     Levels levels = testing::exact_levels(truth);
     RandomStream random(77, draw);
     for (std::size_t i = 0; i < levels.size(); ++i) {
       const double std = (i % 3 == 1 ? 0.1 : 0.01) * levels.dissipation[i];
-      if (told) levels.dissipation_std.push_back(std);
+      if (given) levels.dissipation_std.push_back(std);
       levels.dissipation[i] += std * random.normal();
     }
     return levels;
   };
   const double withheld =
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, false); });
-  const double told =
+  const double given =
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, true); });
-  EXPECT_LT(told, test::bound_of(0.8 * withheld));
-  std::cout << "  a third of the levels ten times noisier: " << withheld << ", told " << told
+  EXPECT_LT(given, test::bound_of(0.8 * withheld));
+  std::cout << "  a third of the levels ten times noisier: " << withheld << ", given " << given
             << '\n';
 }
 
@@ -267,24 +267,24 @@ TEST(Inversion, GivenDeviationsWeigh) {
 // less.
 TEST(Inversion, AmplitudeDeviationsWeigh) {
   const Joint truth = testing::reference_joint();
-  const auto levels_with = [&](std::uint64_t draw, bool told) {
+  const auto levels_with = [&](std::uint64_t draw, bool given) {
     Levels levels = testing::exact_levels(truth);
     RandomStream random(78, draw);
     for (std::size_t i = 0; i < levels.size(); ++i) {
       levels.dissipation_std.push_back(0.005 * levels.dissipation[i]);
       levels.dissipation[i] += levels.dissipation_std[i] * random.normal();
       const double std = (i % 3 == 1 ? 0.02 : 0.0005) * levels.amplitude[i];
-      if (told) levels.amplitude_std.push_back(std);
+      if (given) levels.amplitude_std.push_back(std);
       levels.amplitude[i] += std * random.normal();
     }
     return levels;
   };
   const double withheld =
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, false); });
-  const double told =
+  const double given =
       median_error(truth, [&](std::uint64_t draw) { return levels_with(draw, true); });
-  EXPECT_LT(told, test::bound_of(0.8 * withheld));
-  std::cout << "  a third of the amplitudes uncertain: " << withheld << ", told " << told << '\n';
+  EXPECT_LT(given, test::bound_of(0.8 * withheld));
+  std::cout << "  a third of the amplitudes uncertain: " << withheld << ", given " << given << '\n';
 }
 
 // A deviation that is a share of D vanishes with D. Below a density with no slip at small forces D
@@ -303,8 +303,8 @@ TEST(Inversion, DeviationsOfVanishingDissipation) {
 
 // Linear damping of 15 % of D at the largest amplitude (the share that the paper reports), not
 // subtracted: found to a tenth where the density begins above the lowest amplitude, and the density
-// within its bound. Where slip goes on to zero force, A² and A³ are hard to tell apart below a few
-// N: β to a quarter, and left out it would spoil the density.
+// within its bound. Where slip goes on to zero force, A² and A³ are hard to distinguish below a
+// few N: β to a quarter, and left out it would spoil the density.
 TEST(Inversion, LinearDamping) {
   struct Case {
     Joint truth;
@@ -352,8 +352,8 @@ Joint four_parameter(double macroslip_slip_force) {
                                kBeta);
 }
 
-// D grows in a straight line above the atom. With 1 % of noise its place is found to 1 % and its
-// weight to 10 % (medians), and the density below it within 0.1.
+// D grows linearly above the atom. With 1 % of noise its place is found to 1 % and its weight to 10
+// % (medians), and the density below it within 0.1.
 TEST(Inversion, AtomAtMacroSlip) {
   const Joint truth = four_parameter(35.0);
   ASSERT_NEAR(truth.density().atoms().slip_force.at(0), 35.0, 1e-12);
@@ -440,9 +440,9 @@ TEST(Inversion, OrderDoesNotMatter) {
   EXPECT_EQ(one.scatter, two.scatter);
 }
 
-// Each level twice with the same mean: merged, with √2 of the weight everywhere, which changes the
-// unit of λ but not the density beyond rounding. What repeats differ by does count for or against a
-// trend and edges, so these are left out.
+// Each level twice with the same mean: merged, with √2 of the weight everywhere, which changes
+// the unit of λ but not the density beyond rounding. The differences of repeats do count for or
+// against a trend and edges, so these are left out.
 TEST(Inversion, DuplicatesAreMerged) {
   const Joint truth = testing::reference_joint();
   const Levels once = testing::noisy_levels(truth, 6);
@@ -463,7 +463,7 @@ TEST(Inversion, DuplicatesAreMerged) {
   }
 }
 
-// More coefficients change nothing but the time: the change is a fifth of the error or less.
+// More coefficients cost time only: the change is a fifth of the error or less.
 TEST(Inversion, ConvergesWithTheCoefficients) {
   const Joint truth = testing::reference_joint();
   const Levels levels = testing::noisy_levels(truth, 7);
@@ -591,9 +591,9 @@ TEST(Inversion, FewLevels) {
   }
 }
 
-// A D of zero has no relative weight of its own. Where next to nothing slips at small forces (D
-// below 1/1000 of what D ∝ A³ through the largest would be) the error stays what it is; a single
-// one amid others is an outlier, which must not rule: with noise of 1 % it may cost half as much
+// A D of zero has no relative weight of its own. Where almost nothing slips at small forces (D
+// below 1/1000 of what D ∝ A³ through the largest would be) the error is unchanged; a single one
+// amid others is an outlier, which must not dominate: with noise of 1 % it may cost half as much
 // again as without it.
 TEST(Inversion, LevelsWithoutDissipation) {
   const Joint gap = testing::two_lognormals();

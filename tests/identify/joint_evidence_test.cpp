@@ -87,7 +87,7 @@ TEST(JointEvidence, LevelsAndAShortRecordTellMoreThanEither) {
   EXPECT_LE(error_of_density(both.joint(), joint, kReach), 0.06);
 }
 
-// D of levels has no k in it: it comes from the record, and the density from both.
+// D of levels does not depend on k: it comes from the record, and the density from both.
 TEST(JointEvidence, FindsKFromTheRecordAlone) {
   const Joint joint = testing::decaying_power_law();
   const RecordEvidence record = short_record(joint);

@@ -66,7 +66,7 @@ Eigen::MatrixXd centred(const PlainMatrix& m) {
   return all;
 }
 
-/// S by the regression of the target on all measurements of a set at once: another way than by one
+/// S by the regression of the target on all measurements of a set at once: another method than one
 /// level after the other, with noise of σ/√(1/noise) each.
 double deviation_with(const Case& all, const std::vector<std::size_t>& set, double noise = 1.0) {
   const double n = static_cast<double>(kDraws - 1);
@@ -171,7 +171,7 @@ TEST(LevelDesign, TellsWhatMoreOfTheSameComesTo) {
   }
 }
 
-// What one number alone would show is sought where it is shown.
+// Where only one candidate measures the target, that one is chosen.
 TEST(LevelDesign, GoesWhereTheTargetIs) {
   Case all = random_case(false);
   all.target.draws.columns = 1;

@@ -29,8 +29,8 @@ std::vector<double> up_and_down(std::size_t count) {
   return amplitudes;
 }
 
-/// Levels of which the falling ones lose more by a share that grows to the top, and are as much
-/// softer.
+/// Levels of which the falling ones lose more by a share that grows to the top, and are softer by
+/// the same share.
 Levels sweeps(const Joint& joint, double more, double noise, std::uint64_t draw) {
   Levels levels = testing::levels_at(joint, up_and_down(30));
   testing::add_noise(levels, noise, draw);

@@ -98,7 +98,7 @@ struct Scatter {
   }
 };
 
-/// Four standard deviations of each figure for n draws; 0.1 more for what is not linear.
+/// Four standard deviations of each figure for n draws; 0.1 more for nonlinearity.
 void expect_standard_normal(const std::vector<double>& z, const std::string& what) {
   const auto n = static_cast<double>(z.size());
   const Scatter scatter(z);
@@ -183,7 +183,7 @@ TEST(Parametric, RecoversEveryModelExactly) {
   check(uniform, kUniform, {0.02, 1.5, 20, 2e-4}, {{"weight", 0.7}, {"to", 40.0}});
 }
 
-// A relative noise of 2 % at 40 levels, 200 draws, its size told or to be estimated.
+// A relative noise of 2 % at 40 levels, 200 draws, its size given or to be estimated.
 TEST(Parametric, StandardErrorsAreThoseOfTheScatter) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Joint joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0);
@@ -250,13 +250,14 @@ TEST(Parametric, StandardErrorsWithDampingAndSecants) {
   }
 }
 
-// 2 % of scatter in A, which is 5 to 6 % of D, beside 1 % of D's own: told by amplitude_std the
-// standard errors hold, and weighing follows (without it they are a fifth of the scatter or so).
+// 2 % of scatter in A, which is 5 to 6 % of D, beside 1 % of D's own: with amplitude_std the
+// standard errors are right, and the weights follow (without it they are a fifth of the scatter or
+// so).
 TEST(Parametric, StandardErrorsWithDeviationsOfTheAmplitude) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Joint joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0);
   const Levels exact = exact_levels(joint, {0.02, 1.4, 40, joint.macroslip_displacement()});
-  std::vector<double> force, chi, beta, untold;
+  std::vector<double> force, chi, beta, without_std;
   double chi_squared = 0.0;
   constexpr std::uint64_t kSets = 60;
   for (std::uint64_t seed = 0; seed < kSets; ++seed) {
@@ -280,16 +281,16 @@ TEST(Parametric, StandardErrorsWithDeviationsOfTheAmplitude) {
     beta.push_back(z(result, "beta", 1.0));
     chi_squared += result.chi_squared / static_cast<double>(kSets);
     levels.amplitude_std.clear();
-    untold.push_back(z(fit(), "chi", -0.5));
+    without_std.push_back(z(fit(), "chi", -0.5));
   }
   expect_standard_normal(force, "macroslip_force");
   expect_standard_normal(chi, "chi");
   expect_standard_normal(beta, "beta");
   EXPECT_NEAR(chi_squared, 37.0, 4.0 * std::sqrt(2.0 * 37.0 / static_cast<double>(kSets)));
-  EXPECT_LT(Scatter(untold).covered, 0.7) << "without amplitude_std they do not";
+  EXPECT_LT(Scatter(without_std).covered, 0.7) << "without amplitude_std they do not";
 }
 
-// k_eq has slopes too, and an estimated noise holds that of the amplitude already.
+// k_eq has slopes too, and an estimated noise already includes that of the amplitude.
 TEST(Parametric, DeviationsOfTheAmplitudeMatterWhereDeviationsAreGiven) {
   const Joint joint(1e3, SlipDensity({PowerLawPart{0.1, -0.5, 0.0, 25.0}}));
   const Levels exact = exact_levels(joint, {0.01, 0.8, 25, 0.025}, true);
@@ -339,7 +340,7 @@ TEST(Parametric, BoundsAreHitExactly) {
   EXPECT_TRUE(parameter(full, "linear_damping").at_bound);
 }
 
-// Truth at beta = 0 with noise: half of the draws would want beta < 0 and must end at the bound.
+// Truth at beta = 0 with noise: half of the draws would have beta < 0 and must end at the bound.
 TEST(Parametric, NoisyTruthAtABound) {
   const Joint joint = Joint::four_parameter(50.0, 1e6, -0.4, 0.0);
   const Levels exact = exact_levels(joint, {0.02, 1.3, 25, joint.macroslip_displacement()});
@@ -378,7 +379,7 @@ TEST(Parametric, SaysThatMacroslipWasNotReached) {
   const auto result = fit_parametric(levels, 252660.0, kFourParameter);
   EXPECT_TRUE(warned(result, "macroslip_not_reached"));
   expect_relative(result, "chi", -0.5, 1e-6);
-  // At K_T = 252660 N/m the power law alone, half of the stiffness up to ψ_max, holds it all at
+  // At K_T = 252660 N/m the power law alone, half of the stiffness up to ψ_max, has all of it at
   // 4ψ_max; there F_S = K_T·4ψ_max/3 = 800 N.
   expect_relative(result, "macroslip_force", 800.0, 1e-6);
   EXPECT_LT(result.misfit, 1e-9);

@@ -27,7 +27,7 @@ constexpr Eigen::Index kRows = 120;
 constexpr double kLeastLambda = 1e-2;
 constexpr double kMostLambda = 1e3;
 
-/// Data that tell some coefficients well, others little.
+/// Data that determine some coefficients well, others poorly.
 MatrixXd design() {
   MatrixXd matrix(kRows, kSize);
   for (Eigen::Index i = 0; i < kRows; ++i) {
@@ -50,14 +50,14 @@ ChainTarget target(const VectorXd& data) {
   return target;
 }
 
-// Ranks of λ, of single coefficients, and of what they sum up to. The smoothness changes from node
-// to node, here from coefficient to coefficient, by factors of e³, of which the product is 1. The
-// scale of the scatter is 1 in truth; its own prior, which is improper, matters to O(1/rows).
+// Ranks of λ, of single coefficients, and of their sum. The smoothness changes from node to node,
+// here from coefficient to coefficient, by factors of e³, of which the product is 1. The scale of
+// the scatter is 1 in truth; its own prior, which is improper, matters to O(1/rows).
 TEST(PosteriorChain, HasUniformRanks) {
   MICROSLIP_OF_RELEASE_ALONE();
   constexpr int kTruths = 1000;
   constexpr std::size_t kKept = 19;  // 20 ranks
-  constexpr int kThin = 3;           // neighbours are alike
+  constexpr int kThin = 3;           // neighbours are correlated
   constexpr std::size_t kBins = 20;
   std::vector<testing::RankHistogram> ranks;
   for (const char* name : {"lambda", "first", "last", "sum"})

@@ -47,9 +47,10 @@ QuadraticProgram::Solution solve(const Problem& problem, const std::vector<bool>
   return program.solve(problem.hessian, problem.linear, start);
 }
 
-/// The largest violation of (KKT) in long double, on the scale of ‖g‖∞ for the gradient, ‖x‖∞ for x
-/// and the budget for itself. Written from the conditions, not from the solver: complementarity and
-/// the signs, no set of free variables. What rounding x to doubles makes of Hx is no violation.
+/// The largest violation of (KKT) in long double, on the scale of ‖g‖∞ for the gradient,
+/// ‖x‖∞ for x and the budget for itself. Written from the conditions, not from the solver:
+/// complementarity and the signs, no set of free variables. The effect of rounding x to doubles on
+/// Hx is no violation.
 double kkt_violation(const Problem& problem, const QuadraticProgram::Solution& solution) {
   const auto n = problem.linear.size();
   const double g_scale = problem.linear.cwiseAbs().maxCoeff();
@@ -247,8 +248,8 @@ TEST(QuadraticProgram, StiffSmoothingConverges) {
   }
 }
 
-// Many almost parallel columns and a budget that binds: exchanging all wrong variables at once goes
-// round in circles here, so the way downhill has to end it.
+// Many almost parallel columns and a budget that binds: exchanging all wrong variables at once
+// cycles here, so the descent has to end it.
 TEST(QuadraticProgram, NearlyParallelColumnsConverge) {
   constexpr Eigen::Index kSize = 80;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -272,7 +273,8 @@ TEST(QuadraticProgram, NearlyParallelColumnsConverge) {
   }
 }
 
-// A Hessian that is not positive definite breaks the contract. The answer must say so, not be NaN.
+// A Hessian that is not positive definite breaks the contract. The result must state it, not be
+// NaN.
 TEST(QuadraticProgram, IndefiniteHessianIsReported) {
   Problem problem = random_problem(4, 9, 1.0);
   problem.hessian = -Eigen::MatrixXd::Identity(4, 4);

@@ -54,24 +54,24 @@ double reach_of(const RecordInversionResult& result) {
   return result.stiffness.value * result.slip_displacement.back();
 }
 
-/// Share of 5 to 90 % of the range at which the band of φ holds the truth.
+/// Share of 5 to 90 % of the range at which the band of φ contains the truth.
 double coverage(const RecordInversionResult& result, const Joint& truth) {
   const DensityBand band = result.density_band();
   std::vector<double> slip_force = result.slip_displacement;
   for (double& f : slip_force) f *= result.stiffness.value;
-  int held = 0;
+  int covered = 0;
   constexpr int kPoints = 200;
   for (int i = 0; i <= kPoints; ++i) {
     const double f = reach_of(result) * (0.05 + 0.85 * i / kPoints);
     const double expected = truth.density().density(f);
     const bool inside = expected >= interpolate(slip_force, band.lower, f) &&
                         expected <= interpolate(slip_force, band.upper, f);
-    held += inside ? 1 : 0;
+    covered += inside ? 1 : 0;
   }
-  return static_cast<double>(held) / (kPoints + 1);
+  return static_cast<double>(covered) / (kPoints + 1);
 }
 
-/// The codes of what is broken, between blanks.
+/// The codes of the detected departures, between blanks.
 std::string broken(const RecordInversionResult& found) {
   std::string codes;
   for (const RecordVerdict& verdict : found.records.front().verdicts) {
@@ -129,7 +129,7 @@ TEST(RecordInversion, FindsTheJointOfEachIndependentRecord) {
 /// known.
 struct KnownSmoothing {
   std::vector<double> lambda;
-  std::vector<double> square;  ///< Σ of squared relative errors, one a λ
+  std::vector<double> square;  ///< Σ of squared relative errors, one per λ
 
   void add(const RecordEvidence& evidence, const Joint& truth, double scatter) {
     const ScaledRecords records({.records = {&evidence, 1}}, {},
@@ -150,11 +150,11 @@ struct KnownSmoothing {
   }
 };
 
-// The noise of a record moves k whatever the method. Here it is held against the smoothing of one
-// strength that is best for a path: chosen by the truth, the scatter known. Over 60 records,
-// random, earthquake and sines, the rms were 0.47, 0.37 and 0.52 %, with that smoothing 0.38, 0.34
-// and 0.51 %, and with the mean of the draws, the estimate that was, 0.69, 0.69 and 0.88 %. Of 20
-// records a rms is known to 1/√40 of it: 1.3 is within two of these of all, and 1.5 is beyond.
+// The noise of a record moves k whatever the method. Here it is compared with the best uniform
+// smoothing of a path: chosen by the truth, the scatter known. Over 60 records, random, earthquake
+// and sines, the rms were 0.47, 0.37 and 0.52 %, with that smoothing 0.38, 0.34 and 0.51 %, and
+// with the mean of the draws, the former estimate, 0.69, 0.69 and 0.88 %. Of 20 records a rms is
+// known to 1/√40 of it: 1.3 is within two of these of all, and 1.5 is beyond.
 TEST(RecordInversion, FindsKAsWellAsTheBestSmoothing) {
   MICROSLIP_STUDY();
   const Joint truth = record_joint();
@@ -222,7 +222,8 @@ TEST(RecordInversion, SeesWhetherAJointHadSlipped) {
   }
 }
 
-// A thousand samples in one row, or more, know its force to far below what the path is known to.
+// A thousand samples in one row, or more, determine its force far more accurately than the path is
+// known.
 TEST(RecordInversion, TakesAJointThatRestedForVirgin) {
   std::vector<double> path(4000, 0.0);
   const std::vector<double> motion = random_motion(16000, testing::kLargestAmplitude, 13, 3);
@@ -234,7 +235,7 @@ TEST(RecordInversion, TakesAJointThatRestedForVirgin) {
   EXPECT_TRUE(start.shown);
 }
 
-/// rms of what a joint misses of the force of a record beyond an offset, N.
+/// rms of the residual force of a record with a joint beyond an offset, N.
 double missed(const Joint& joint, const RecordEvidence& record) {
   const std::vector<double> predicted = testing::forces_on(joint, record.path().displacement);
   std::vector<double> left = record.measured().force;
@@ -248,8 +249,8 @@ double missed(const Joint& joint, const RecordEvidence& record) {
   return std::sqrt(sum / static_cast<double>(left.size()));
 }
 
-// What the true joint misses on the same smoothed path is the noise of the force and what is left
-// of that of the path.
+// The residual of the true joint on the same smoothed path is the noise of the force and the
+// remaining noise of the path.
 TEST(RecordInversion, PredictsOneRecordFromAnother) {
   const Joint truth = record_joint();
   const std::vector<RecordEvidence> all = references();
@@ -263,7 +264,8 @@ TEST(RecordInversion, PredictsOneRecordFromAnother) {
   }
 }
 
-// What stays wrong, and why, is in docs/theory.md 4.4: densities that end at once, and steep poles.
+// Remaining errors and their causes are in docs/theory.md 4.4: densities that end abruptly, and
+// steep poles.
 TEST(RecordInversion, FindsOtherJoints) {
   for (const auto& [name, joint] : testing::all_truths()) {
     const std::vector<double> path = random_motion(8000, testing::kLargestAmplitude, 5);
@@ -286,10 +288,10 @@ std::vector<double> rising_sines(std::size_t count, double largest, double cycle
   return path;
 }
 
-// Twelve densities, four records each: 95 % bands should hold ψ at 0.90 to 0.98 of the range, k and
-// K_e in 0.90 to 0.99 of the records. 0.94 of the range, 41 and 42 of 48 were found when this was
-// written. From draws of the truncated posterior it was two thirds of 78 such records: where
-// nothing slips at one end of the range in truth, something did in each of them. Not among these: a
+// Twelve densities, four records each: 95 % bands should contain ψ at 0.90 to 0.98 of the range, k
+// and K_e in 0.90 to 0.99 of the records. 0.94 of the range, 41 and 42 of 48 were found when this
+// was written. With draws of the truncated posterior it was two thirds of 78 such records: where in
+// truth nothing slips at one end of the range, something did in each of them. Not among these: a
 // pole with narrow populations on it, of which k is too low (docs/theory.md 4.4).
 TEST(RecordInversion, BandsHoldTheTruthAsOftenAsTheySay) {
   MICROSLIP_STUDY();
@@ -312,17 +314,17 @@ TEST(RecordInversion, BandsHoldTheTruthAsOftenAsTheySay) {
     const testing::RecordNoise of{.displacement = 0.03 * noise, .force = noise};
     const RecordEvidence evidence(simulated_record(truth, path, 4000 + i, of), PathStart::kVirgin);
     const RecordInversionResult found = invert_records({&evidence, 1}, {}, {.draws = 200});
-    const auto held = [](const Estimate& band, double value) {
+    const auto covered = [](const Estimate& band, double value) {
       return band.lower <= value && value <= band.upper;
     };
     of_density += coverage(found, truth) / kRecords;
-    of_k += held(found.stiffness, truth.stiffness()) ? 1 : 0;
+    of_k += covered(found.stiffness, truth.stiffness()) ? 1 : 0;
     const double elastic = truth.tangent_stiffness(found.slip_displacement.back());
-    of_elastic += held(found.elastic_stiffness, elastic) ? 1 : 0;
+    of_elastic += covered(found.elastic_stiffness, elastic) ? 1 : 0;
   }
   EXPECT_GE(of_density, 0.90);
   EXPECT_LE(of_density, 0.98);
-  test::record_smallest("held by the band [1]", of_density);
+  test::record_smallest("covered by the band [1]", of_density);
   EXPECT_GE(of_k, 40);
   EXPECT_GE(of_elastic, 40);
 }

@@ -276,7 +276,7 @@ TEST(SmoothingSpline, EndsOfTheRange) {
   EXPECT_NEAR(moment0, 0.0, 1e-12);
   EXPECT_NEAR(moment1, 0.0, 1e-11);
 
-  // and near them: 1e10 is far beyond what bends 15 points, 1e-10 far below
+  // and near them: 1e10 is far above the λ that bends 15 points, 1e-10 far below
   const auto nearly = fit_smoothing_spline(d.x, d.y, d.w, FixedLambda{1e10});
   EXPECT_LT(largest_difference(nearly.spline.knot_values(), line.spline.knot_values()), 1e-5);
   EXPECT_NEAR(nearly.edf, 2.0, 1e-5);

@@ -53,9 +53,9 @@ TEST(StiffnessEvidence, IsNothingWhereNothingWasMeasured) {
   EXPECT_TRUE(diagnose(none, testing::reference_joint()).empty());
 }
 
-// Whatever the share of the joint in the stiffness of the mode, exact frequencies accuse nothing;
-// where it is all of it, f² ∝ k_eq leaves nothing to rounding. The share itself changes with k_eq
-// for 0 < p < 1, so that what is left is of second order: below a tenth of the softening.
+// Whatever the share of the joint in the stiffness of the mode, exact frequencies give no warning;
+// where it is all of it, f² ∝ k_eq leaves nothing but rounding. The share itself changes with
+// k_eq for 0 < p < 1, so that the remainder is of second order: below a tenth of the softening.
 TEST(StiffnessEvidence, FrequenciesOfTheJointAreExplained) {
   for (const double share : {0.0, 0.05, 0.3, 1.0}) {
     const Levels levels = levels_with_frequency(share);
@@ -86,7 +86,7 @@ TEST(StiffnessEvidence, ARisingFrequencyIsToldWithItsNumbers) {
   EXPECT_NE(text.find("rises by 0.50 %"), std::string::npos) << text;
   EXPECT_NE(text.find("(80 to 80.4 Hz)"), std::string::npos) << text;
   EXPECT_NE(text.find("at least ± 0.2 Hz"), std::string::npos) << text;
-  // The order of the rows is that of nobody.
+  // The order of the rows does not matter.
   std::ranges::reverse(levels.amplitude);
   std::ranges::reverse(levels.dissipation);
   std::ranges::reverse(levels.frequency);
@@ -105,7 +105,7 @@ TEST(StiffnessEvidence, DeviationsDecideWhereTheyAreGiven) {
   EXPECT_FALSE(has(warnings_of(levels, testing::reference_joint()), "frequency_rises"));
 }
 
-// Scatter of the size told, 200 sets of 90 levels: no false alarm in 100.
+// Scatter of the given size, 200 sets of 90 levels: no false alarm in 100.
 TEST(StiffnessEvidence, ScatterOfTheSizeToldIsNoAlarm) {
   int alarms = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
@@ -118,7 +118,8 @@ TEST(StiffnessEvidence, ScatterOfTheSizeToldIsNoAlarm) {
   EXPECT_LE(alarms, 2);
 }
 
-// A mode that softens twice as much as the joint could make it, were it all of the stiffness.
+// A mode that softens twice as much as the joint could soften it, even if it provided all of the
+// stiffness.
 TEST(StiffnessEvidence, SofteningBeyondTheJointIsTold) {
   Levels levels = levels_with_frequency(1.0);
   for (double& f : levels.frequency) f = 80.0 - 2.0 * (80.0 - f);
@@ -128,7 +129,7 @@ TEST(StiffnessEvidence, SofteningBeyondTheJointIsTold) {
   EXPECT_NE(text_of(warnings, "softening_unexplained").find("explains"), std::string::npos);
 }
 
-// Two sessions, the second 0.6 % higher all over: the frequencies beside each other tell it.
+// Two sessions, the second 0.6 % higher all over: neighbouring frequencies show it.
 TEST(StiffnessEvidence, SessionsAreToldApart) {
   Levels levels = levels_with_frequency(0.02);
   for (std::size_t i = 1; i < levels.size(); i += 2) levels.frequency[i] *= 1.006;
@@ -137,8 +138,8 @@ TEST(StiffnessEvidence, SessionsAreToldApart) {
   EXPECT_NEAR(found->uncertainty, 0.5 * 0.006 * 80.0, 0.05);
 }
 
-// k_eq 26 % of k below the joint's: much slips below the lowest level, where D tells only two
-// moments, and the elastic remainder is questioned.
+// k_eq 26 % of k below the joint's: much slips below the lowest level, where D determines only two
+// moments, and the elastic remainder is doubtful.
 TEST(StiffnessEvidence, AMeasuredStiffnessQuestionsTheRemainder) {
   const Joint joint(kStiffness, SlipDensity({UniformPart{0.0, 40.0, 0.5}}));
   Levels levels = testing::exact_levels(joint);

@@ -21,8 +21,8 @@ using Eigen::VectorXd;
 constexpr int kDraws = 200'000;
 
 /// Means of the draws and of their squares. A trajectory of a quarter period forgets where it was
-/// but for what the limits keep: 200 000 draws are good to some 1/√100 000 = 0.3 % of a deviation;
-/// bounds of 1.2 % are four of these.
+/// but for the effect of the limits: 200 000 draws are good to some 1/√100 000 = 0.3 % of a
+/// deviation; bounds of 1.2 % are four of these.
 struct Moments {
   VectorXd mean;
   MatrixXd second;
@@ -140,8 +140,8 @@ TEST(TruncatedGaussian, LimitsTheFirstCoefficientsAlone) {
 }
 
 // Two budgets of one coefficient each cut a box out of the positive quadrant, in which a Gaussian
-// that is wide is uniform: means at half of the sides. 20 000 draws tell them to 0.3 % of a side or
-// so.
+// that is wide is uniform: means at half of the sides. 20 000 draws determine them to 0.3 % of a
+// side or so.
 TEST(TruncatedGaussian, KeepsToSeveralBudgets) {
   constexpr int kOfBox = 20'000;
   MatrixXd budgets(2, 2);

@@ -18,8 +18,8 @@
 #include "microslip/joint/virgin_curve.hpp"
 
 /// @file
-/// Each public function of joint/ with arguments that mean nothing: a documented value or
-/// InputError, never a place outside of a table. The sanitizers look on.
+/// Each public function of joint/ with invalid arguments: a documented value or InputError, never a
+/// place outside of a table. The sanitizers look on.
 
 namespace microslip::any_argument_test {
 namespace {
@@ -29,7 +29,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kHuge = std::numeric_limits<double>::max();
 constexpr double kTiny = std::numeric_limits<double>::denorm_min();
 
-/// With one knot a bucket and with many, of each kind of part, with and without a remainder.
+/// With one knot per bucket and with many, of each kind of part, with and without a remainder.
 std::vector<Joint> joints() {
   std::vector<double> crowd;
   std::vector<double> weight;

@@ -170,7 +170,7 @@ TEST(SlipDensity, FourParameterPartHasAreaOneAndItsMacroslipForce) {
 struct Offence {
   std::vector<DensityPart> parts;
   std::string name;
-  std::string text;  // what the message holds of value, rule and remedy
+  std::string text;  // part of the message with value, rule and remedy
 };
 
 std::vector<Offence> offences() {

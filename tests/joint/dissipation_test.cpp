@@ -79,9 +79,9 @@ TEST(Dissipation, SlopeIsFourFirstMoments) {
   }
 }
 
-// D′ and D″ against central differences of D and D′, at amplitudes whose neighbourhood holds no
-// kink. With h = 1e-4 A the error is h²/6 of the third derivative over the first, of order 1e-8
-// A²/A², here times up to about 20 for steep laws; rounding adds 1e-16/1e-4.
+// D′ and D″ against central differences of D and D′, at amplitudes whose neighbourhood
+// contains no kink. With h = 1e-4 A the error is h²/6 of the third derivative over the first, of
+// order 1e-8 A²/A², here times up to about 20 for steep laws; rounding adds 1e-16/1e-4.
 TEST(Dissipation, SlopeAndCurvatureAreDerivatives) {
   for (const auto& [name, density] : cases()) {
     const Joint joint(kStiffness, density);

@@ -32,8 +32,8 @@ class ExternalHistory : public ::testing::Test {
     stress_ = history["stress_zx_el"];
     for (const double stress : stress_) largest_ = std::max(largest_, std::abs(stress));
 
-    // Ten elements in parallel: each slips at a point of the backbone and takes from the slope what
-    // it loses there.
+    // Ten elements in parallel: each slips at a point of the backbone and has the decrease of the
+    // slope there.
     const testing::ReferenceTable backbone(data + "stress_strain_darendeli.csv");
     const std::vector<double>& x = backbone["strain"];
     const std::vector<double>& f = backbone["stress"];

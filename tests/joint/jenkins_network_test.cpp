@@ -180,7 +180,7 @@ TEST(JenkinsNetwork, OfAJointThatNeverSlipsIsASpring) {
   EXPECT_DOUBLE_EQ(NetworkMemory(network).advance(2e-4), kStiffness * 2e-4);
 }
 
-// Parts so narrow that a bin holds only a few numbers: no stiffness is lost and none invented.
+// Parts so narrow that a bin contains only a few numbers: no stiffness is lost and none invented.
 TEST(JenkinsNetwork, KeepsTheStiffnessOfNarrowParts) {
   for (const double width : {1e-3, 1e-6, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
     const SlipDensity density({UniformPart{10.0, 10.0 + width, 0.5}, UniformPart{0.0, 5.0, 0.5}});
@@ -251,7 +251,7 @@ TEST(JenkinsNetwork, FollowsTheExactMemoryOnRandomWalks) {
   }
 }
 
-// Both laws are the same model while p = 1; each rounds in its own way, at 1e-14 N a step at most.
+// Both laws are the same model while p = 1; each rounds differently, at 1e-14 N per step at most.
 TEST(NetworkMemory, BothLawsAgreeUnderConstantLoad) {
   for (const auto& [name, density] : all_cases()) {
     const Joint joint(kStiffness, density);

@@ -22,7 +22,7 @@ namespace {
 /// The joint [AR14] Fig. 3 is drawn for: φ = 0.1 f*^-0.5 on 0..25 N.
 Joint power_law_joint() { return Joint(1000.0, SlipDensity({PowerLawPart{0.1, -0.5, 0.0, 25.0}})); }
 
-/// One joint a kind of part, and a sum.
+/// One joint per kind of part, and a sum.
 std::vector<Joint> all_kinds() {
   std::vector<Joint> joints;
   const double k = 1.5e5;
@@ -188,8 +188,8 @@ TEST(Joint, CarriesTheMacroslipForceAndNoMore) {
   EXPECT_DOUBLE_EQ(power_law_joint().macroslip_force(), 25.0 / 3.0);
 }
 
-// Each knot of a cubic is found, however uneven: the table of buckets holds 64 a knot at most, and
-// here the narrowest gap is 1e-12 of the range. The reference walks the knots.
+// Each knot of a cubic is found, however uneven: the table of buckets has 64 per knot at most, and
+// here the narrowest gap is 1e-12 of the range. The reference steps through the knots.
 TEST(Joint, FindsTheRightSegmentAmongUnevenKnots) {
   RandomStream random(3, 0);
   PiecewiseLinearPart part;

@@ -30,8 +30,8 @@ Joint atoms_joint() {
   return Joint(1e5, SlipDensity({AtomsPart{{8.0, 15.0, 30.0}, {0.25, 0.35, 0.3}}}));
 }
 
-/// One joint a kind of virgin curve: cubics, cubics with an elastic remainder, power laws, chords,
-/// a sum.
+/// One joint per kind of virgin curve: cubics, cubics with an elastic remainder, power laws,
+/// chords, a sum.
 std::vector<Joint> all_kinds() {
   std::vector<Joint> joints;
   joints.emplace_back(1e5, SlipDensity({UniformPart{0.0, 30.0, 1.0}}));
@@ -66,7 +66,7 @@ void expect_same_state(const Memory& a, const Memory& b) {
     EXPECT_TRUE(same_bits(a.reversals()[i].displacement, b.reversals()[i].displacement));
     EXPECT_TRUE(same_bits(a.reversals()[i].force, b.reversals()[i].force));
   }
-  // What the next step does depends on the direction too, which has no accessor.
+  // The next step depends on the direction too, which has no accessor.
   for (const double x : {-2.0 * kAmplitude, 0.0, a.displacement(), 2.0 * kAmplitude}) {
     EXPECT_TRUE(same_bits(a.trial(x).force, b.trial(x).force));
     EXPECT_TRUE(same_bits(a.trial(x).tangent, b.trial(x).tangent));
@@ -293,9 +293,9 @@ TEST(Memory, IsMonotoneAndNoStifferThanTheStuckJoint) {
   }
 }
 
-// ∮ f dx over a steady cycle is D(A), about any mean. The trapezoidal rule over n steps a branch
-// errs by at most h²/12·|Δf′| ≤ (2A/n)²/12·k on each of two branches, and by h²/8·k/2 at a corner
-// of an atom: with n = 20 000 that is 1e-8·kA² at the very most.
+// ∮ f dx over a steady cycle is D(A), about any mean. The trapezoidal rule over n steps per
+// branch errs by at most h²/12·|Δf′| ≤ (2A/n)²/12·k on each of two branches, and by
+// h²/8·k/2 at a corner of an atom: with n = 20 000 that is 1e-8·kA² at the very most.
 TEST(Memory, SteadyCycleDissipatesWhatTheDensitySays) {
   for (const Joint& joint : all_kinds()) {
     for (const double a : {0.5e-4, 2e-4, 6e-4}) {

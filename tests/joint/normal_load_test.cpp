@@ -58,8 +58,8 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return largest;
 }
 
-// Values by an independent program, good to 1e-4 N; 4096 steps a cycle of a first-order law are
-// asked to be within 2e-3 N. The total law is exact at any step; its column is exact as far as the
+// Values by an independent program, good to 1e-4 N; 4096 steps per cycle of a first-order law must
+// be within 2e-3 N. The total law is exact at any step; its column is exact as far as the
 // displacement of the second cycle is (1e-14 m) and so is the one at constant load.
 TEST(NormalLoad, AgreesWithIndependentValues) {
   const testing::ReferenceTable table = testing::reference_table("variable_normal_load.csv");
@@ -101,10 +101,10 @@ TEST(NormalLoad, TotalLawScalesTheForceUnderConstantLoad) {
   }
 }
 
-// Errors between 512 and 8192 steps a cycle against 2^18, halving the step each time: the mean load
-// of a step makes the law of second order, in the case of [AR14 App. B] and, within the scatter of
-// where in a step the elements slip and stick, where neither the turns of x nor those of p fall on
-// a sample.
+// Errors between 512 and 8192 steps per cycle against 2^18, halving the step each time: the mean
+// load of a step makes the law of second order, in the case of [AR14 App. B] and, within the
+// scatter of where in a step the elements slip and stick, where neither the turns of x nor those of
+// p fall on a sample.
 TEST(NormalLoad, IncrementalLawConvergesWithSecondOrder) {
   const JenkinsNetwork network(elements());
   const auto other_cycle = [&](int steps) {
@@ -157,7 +157,8 @@ TEST(NormalLoad, ConstantLoadIsTheExactMemory) {
   }
 }
 
-// What tells the laws apart [AR14 App. B: "some saturated elements return to elastic deformation"].
+// The difference between the laws [AR14 App. B: "some saturated elements return to elastic
+// deformation"].
 TEST(NormalLoad, ChangingLoadAtRestTellsTheLawsApart) {
   const std::vector<JenkinsElement> one = {{2.0, 1.0}};
   const JenkinsNetwork network(one);
@@ -200,7 +201,7 @@ TEST(NormalLoad, ScalesTheElasticRemainderToo) {
 std::vector<double> density_of_return_branch(NormalLoadLaw law, bool varying) {
   const JenkinsNetwork network(elements());
   NetworkMemory memory(network, law);
-  constexpr int kSteps = 4000;  // a branch; of equal length in x
+  constexpr int kSteps = 4000;  // per branch; of equal length in x
   const auto advance = [&](double x) {
     return varying ? memory.advance(x, 1.0 + 0.009 * x * x) : memory.advance(x);
   };

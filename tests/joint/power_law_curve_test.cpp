@@ -11,8 +11,8 @@ namespace {
 using testing::ExactPowerLaw;
 using testing::relative_error;
 
-// Against the antiderivatives in 100 digits. A few roundings of the power
-// and of products; what begins above 0 goes by power_law_slip(), of ninety roundings.
+// Against the antiderivatives in 100 digits. A few roundings of the power and of products; laws
+// that begin above 0 are by power_law_slip(), of ninety roundings.
 TEST(PowerLawCurve, IsThePowerLawBeforeInsideAndBeyondIt) {
   for (const double exponent : {-0.95, -0.5, 0.0, 0.7, 3.0, 6.9, 9.0}) {
     for (const double from : {0.0, 3.0}) {

@@ -206,7 +206,7 @@ TEST(SecantStiffness, FallsFromTheStiffnessOfTheStuckJoint) {
   for (const auto& [name, density] : cases()) {
     const Joint joint(k, density);
     EXPECT_EQ(secant_stiffness(joint, 0.0), k) << name;
-    // What has slipped at kA = 1e-9 N is at most the weight below, and above it the change is
+    // The slipped weight at kA = 1e-9 N is at most the weight below, and above it the change is
     // smaller.
     EXPECT_NEAR(secant_stiffness(joint, 1e-9 / k), k, k * (density.moments(1e-9).zeroth + 1e-15))
         << name;

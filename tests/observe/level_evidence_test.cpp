@@ -32,7 +32,7 @@ Levels exact_levels(bool secant = false) {
   return levels;
 }
 
-void tell_deviations(double share, Levels& levels) {
+void give_deviations(double share, Levels& levels) {
   for (const double d : levels.dissipation) levels.dissipation_std.push_back(share * d);
   for (const double k : levels.secant_stiffness) levels.secant_stiffness_std.push_back(share * k);
 }
@@ -54,11 +54,11 @@ TEST(LevelEvidence, PredictsByTheJoint) {
   EXPECT_TRUE(LevelEvidence(exact_levels()).predict(kJoint).secant_stiffness.empty());
 }
 
-// Given deviations are taken with the scatter found, and with what ± σ_A makes of D ∝ A³:
-// ½((A + σ)³ − (A − σ)³) = 3A²σ + σ³.
+// Given deviations are combined with the scatter found, and with the effect of ± σ_A on D ∝
+// A³: ½((A + σ)³ − (A − σ)³) = 3A²σ + σ³.
 TEST(LevelEvidence, DeviationsGivenAddToThoseOfTheAmplitude) {
   Levels levels = exact_levels(true);
-  tell_deviations(0.01, levels);
+  give_deviations(0.01, levels);
   for (const double a : levels.amplitude) levels.amplitude_std.push_back(0.1 * a);
   const LevelEvidence evidence(levels);
   EXPECT_TRUE(evidence.amplitude_std_counts());
@@ -74,7 +74,7 @@ TEST(LevelEvidence, DeviationsGivenAddToThoseOfTheAmplitude) {
   }
 }
 
-// A share of D as predicted, not as measured, and one σ of all k_eq; an estimated scatter holds
+// A share of D as predicted, not as measured, and one σ of all k_eq; an estimated scatter includes
 // that of the amplitude.
 TEST(LevelEvidence, UnknownDeviationsAreAShareOfThePrediction) {
   Levels levels = exact_levels(true);
@@ -95,16 +95,16 @@ TEST(LevelEvidence, UnknownDeviationsAreAShareOfThePrediction) {
 
 // A level below the floor counts as one there: its σ does not fall with it.
 TEST(LevelEvidence, LevelsBelowTheFloorDoNotRule) {
-  for (const bool told : {false, true}) {
+  for (const bool given : {false, true}) {
     Levels levels = exact_levels();
     levels.dissipation[0] = 0.0;
-    if (told) tell_deviations(0.01, levels);
-    if (told) levels.dissipation_std[0] = 1e-20;
+    if (given) give_deviations(0.01, levels);
+    if (given) levels.dissipation_std[0] = 1e-20;
     const LevelEvidence evidence(levels);
     const double floor = evidence.dissipation_floor()[0];
     EXPECT_NEAR(floor, 1e-3 * levels.dissipation[11] / std::pow(12.0, 3), 1e-12 * floor);
     LevelPrediction prediction{.value = {.dissipation = levels.dissipation}};
-    const LevelRows sigma = evidence.deviations(prediction, {told ? 1.0 : 0.01, 1.0});
+    const LevelRows sigma = evidence.deviations(prediction, {given ? 1.0 : 0.01, 1.0});
     EXPECT_NEAR(sigma.dissipation[0], 0.01 * floor, 1e-9 * floor);
     EXPECT_LT(evidence.informative_levels(prediction), 11.0 + 1e-9);
     EXPECT_GT(evidence.informative_levels(prediction), 11.0 - 1e-9);
@@ -151,11 +151,11 @@ TEST(LevelEvidence, DeviationsOfSingleLevels) {
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(single[i], levels.dissipation_std[i], 1e-15);
 }
 
-// Repetitions scatter as the evidence says, and by the common errors all alike. 4000 draws know a
-// deviation to 1.1 % and a mean to 1.6 % of it: five of those.
+// Repetitions scatter as the evidence states, and by the common errors all alike. 4000 draws
+// determine a deviation to 1.1 % and a mean to 1.6 % of it: five of those.
 TEST(LevelEvidence, RepeatedTestsScatterAsTold) {
   Levels levels = exact_levels(true);
-  tell_deviations(0.02, levels);
+  give_deviations(0.02, levels);
   for (const double a : levels.amplitude) levels.linear_dissipation.push_back(2.0 * a * a);
   const LevelEvidence alone(levels);
   const LevelEvidence shared(levels, {.dissipation_gain_std = 0.03, .loss_factor_std = 0.1});
@@ -190,8 +190,8 @@ TEST(LevelEvidence, RepeatedTestsScatterAsTold) {
               5.0 * deviation * deviation / std::sqrt(kDraws));
 }
 
-// About 0.674 σ is the median of |z|; twelve levels know it to a quarter or so, seven draws to a
-// tenth: three of these.
+// About 0.674 σ is the median of |z|; twelve levels determine it to a quarter or so, seven draws
+// to a tenth: three of these.
 TEST(LevelEvidence, ScatterBeforeAnyFit) {
   double sum = 0.0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -203,10 +203,10 @@ TEST(LevelEvidence, ScatterBeforeAnyFit) {
   EXPECT_NEAR(sum, 0.02, 0.004);
   const LevelScatter smooth = LevelEvidence(exact_levels(true)).expected_scatter(1e5);
   EXPECT_GE(smooth.secant_stiffness, 100.0) << "0.1 % of k";
-  Levels told = exact_levels(true);
-  tell_deviations(0.01, told);
-  EXPECT_EQ(LevelEvidence(told).expected_scatter(1e5).dissipation, 1.0);
-  EXPECT_EQ(LevelEvidence(told).expected_scatter(1e5).secant_stiffness, 1.0);
+  Levels given = exact_levels(true);
+  give_deviations(0.01, given);
+  EXPECT_EQ(LevelEvidence(given).expected_scatter(1e5).dissipation, 1.0);
+  EXPECT_EQ(LevelEvidence(given).expected_scatter(1e5).secant_stiffness, 1.0);
 }
 
 TEST(LevelEvidence, RefusesErrorsThatBreakTheirRules) {

@@ -40,7 +40,7 @@ double remainder_of(const Joint& joint) {
   return joint.stiffness() * joint.density().elastic_remainder();
 }
 
-/// What the rows make of the density, N.
+/// The force of the density by the rows, N.
 std::vector<double> predicted(const PathRows& path, const Joint& joint) {
   const Eigen::MatrixXd rows = stop_rows(path, kLength, kKnots);
   const Eigen::VectorXd p = Eigen::Map<const Eigen::VectorXd>(
@@ -133,7 +133,7 @@ TEST(PathRows, AreShortOnSomeBranchesOfMany) {
   EXPECT_GT(short_falling, 100U);
 }
 
-// Before the record the joint went where it liked, within half the range that the record then has.
+// Before the record the joint moved arbitrarily, within half the range that the record then has.
 TEST(PathRows, FromAnUnknownStateDifferByAConstantInEachGroup) {
   const Joint truth = joint();
   for (const std::uint64_t seed : {21U, 22U, 23U}) {
@@ -180,10 +180,10 @@ TEST(PathRows, HoldSmallTurnsTogether) {
   for (int i = 0; i <= 400; ++i) path.push_back(0.25 * i + (i % 8 < 4 ? 0.0 : -1.0));
   for (int i = 0; i <= 400; ++i) path.push_back(100.0 - 0.25 * i);
   const PathRows all = path_rows(path, path, PathStart::kVirgin, 0.0, 1000);
-  const PathRows held = path_rows(path, path, PathStart::kVirgin, 2.0, 1000);
+  const PathRows merged = path_rows(path, path, PathStart::kVirgin, 2.0, 1000);
   EXPECT_GT(all.reversals, 90U);
-  EXPECT_EQ(held.reversals, 1U);
-  EXPECT_DOUBLE_EQ(held.reach, 100.0);
+  EXPECT_EQ(merged.reversals, 1U);
+  EXPECT_DOUBLE_EQ(merged.reach, 100.0);
 }
 
 }  // namespace

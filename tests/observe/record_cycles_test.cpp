@@ -54,7 +54,7 @@ void expect_levels_of(const Joint& joint, const RecordCycle& cycle, double relat
   EXPECT_NEAR(cycle.secant_stiffness / secant_stiffness(joint, a), 1.0, relative) << a;
 }
 
-// Chords of 800 samples a cycle cut 2(π/800)² or so off a loop.
+// Chords of 800 samples per cycle cut 2(π/800)² or so off a loop.
 TEST(RecordCycles, AreLevelsOfTheJoint) {
   const Joint joint = testing::reference_joint();
   const RecordCycles found = exact_cycles(
@@ -99,7 +99,7 @@ TEST(RecordCycles, TakeInnerCyclesOut) {
   for (const RecordCycle& cycle : found.cycles) expect_levels_of(joint, cycle, 2e-4);
 }
 
-// In a decay no cycle comes back to where it began: what lacks is closed.
+// In a decay no cycle comes back to where it began: the gap is closed.
 TEST(RecordCycles, CloseThoseOfADecay) {
   const Joint joint = testing::reference_joint();
   std::vector<double> turns{0.0};
@@ -233,12 +233,12 @@ void expect_stated_scatter(const Joint& joint, std::size_t samples,
   }
 }
 
-// Of 200 records a standard deviation is known to 5 %; the rest is for the flat spectrum that the
-// noise is taken from, and for what the filter of the path is taken as. Noise of the force alone,
-// of the path alone, of both beside an offset; a joint that slips in part, and one all of which
-// slips at the least amplitude, whose k_eq is a twentieth of the stiffness that an error of u acts
-// by behind a turn. Of a path as noisy as that no force is straight in u in between: few samples
-// cut loops short, which is a bias and no scatter.
+// Of 200 records a standard deviation is known to 5 %; the rest is for the flat spectrum assumed of
+// the noise, and for the approximation of the filter of the path. Noise of the force alone, of the
+// path alone, of both beside an offset; a joint that slips in part, and one all of which slips at
+// the least amplitude, whose k_eq is a twentieth of the stiffness that an error of u acts by behind
+// a turn. Of a path as noisy as that no force is straight in u in between: few samples cut loops
+// short, which is a bias and no scatter.
 TEST(RecordCycles, ScatterAsTheySay) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Joint all_slips = testing::joint_of({UniformPart{0, 8, 1}});

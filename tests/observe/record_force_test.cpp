@@ -29,7 +29,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
   return largest;
 }
 
-/// The path that the evidence has, from where the joint is virgin.
+/// The path of the evidence, from where the joint is virgin.
 std::vector<double> from_rest(const RecordEvidence& evidence) {
   std::vector<double> path = evidence.path().displacement;
   const double first = path.front();
@@ -37,8 +37,8 @@ std::vector<double> from_rest(const RecordEvidence& evidence) {
   return path;
 }
 
-// Memory goes another way: it keeps turns and evaluates the branch. Both see the same path; what is
-// left is rounding, of turns that are held together, too.
+// Memory uses another algorithm: it keeps turns and evaluates the branch. Both use the same path;
+// the difference is rounding, of ignored turns, too.
 TEST(RecordForce, IsThatOfTheJointAtEachSample) {
   const std::vector<double> path = testing::random_motion(4000, kReach, 3);
   const RecordEvidence smoothed({path, testing::forces_on(known_joint(), path), kStep},
@@ -70,8 +70,8 @@ TEST(RecordForce, HasAViscousPart) {
   EXPECT_LE(largest_difference(difference, expected), 1e-9 * std::ranges::max(expected));
 }
 
-// A joint that had slipped before: nothing is known until the path has turned, and all from its
-// largest range on.
+// A joint that had slipped before: the force is unknown until the path has turned, and known from
+// its largest range on.
 TEST(RecordForce, IsUnknownBeforeTheFirstTurnOfASlippedJoint) {
   const std::vector<double> whole = testing::random_motion(6000, kReach, 4);
   const std::vector<double> all = testing::forces_on(known_joint(), whole);

@@ -84,7 +84,8 @@ TEST(SmoothedPath, LeavesAPathThatFillsItsSpectrum) {
   RandomStream random(10, 0);
   std::vector<double> truth;
   for (int i = 0; i < 4096; ++i) truth.push_back(random.normal());
-  // Nothing stands out: all of it may be noise, and `left` says that what is kept is as uncertain.
+  // Nothing stands out: all of it may be noise, and `left` states that the kept part is as
+  // uncertain.
   const SmoothedPath found = smooth_path(truth);
   EXPECT_NEAR(found.noise, 1.0, 0.1);
 }

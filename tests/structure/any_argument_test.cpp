@@ -10,8 +10,7 @@
 #include "microslip/structure/modal_model.hpp"
 
 /// @file
-/// Each public function of structure/ with arguments that mean nothing: a documented value or
-/// InputError.
+/// Each public function of structure/ with invalid arguments: a documented value or InputError.
 
 namespace microslip::any_argument_test {
 namespace {

@@ -52,8 +52,8 @@ struct WeightedPoint {
   double weight;  // m
 };
 
-/// A rule of the test's own for ∫₀ᴸ: 20 Gauss points on each of 12 parts between two masses, enough
-/// for a wave a part to rounding.
+/// A rule of the test's own for ∫₀ᴸ: 20 Gauss points on each of 12 parts between two masses,
+/// enough for one wave per part to rounding.
 std::vector<WeightedPoint> quadrature(const Beam& beam) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
   constexpr int kParts = 12;
@@ -89,7 +89,7 @@ double orthonormality_error(const Beam& beam, const BeamModes& modes) {
   return product.cwiseAbs().maxCoeff();
 }
 
-// ---- Against figures of another program. ----
+// ---- Against results of another program. ----
 
 // 583 Hermite elements in double precision. The elements are fine enough for 1e-7, but rounding
 // leaves the frequencies 3.2e-5, and useless ones with the stiffest spring: 77.65 Hz, by the closed
@@ -412,7 +412,7 @@ TEST(BeamModes, AreContinuousWhereTwoMassesMeet) {
   }
 }
 
-// ---- Input that is none. ----
+// ---- Invalid input. ----
 
 std::string message(const Beam& beam, std::size_t modes = 1) {
   return test::message_of<InputError>([&] { return BeamModes(beam, modes); });

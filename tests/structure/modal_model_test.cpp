@@ -82,7 +82,7 @@ TEST(ModalModel, ReceptanceIsInfiniteAtAnUndampedResonance) {
   EXPECT_EQ(model.receptance("b", "b", 10.0).real(), -0.01);
 }
 
-// ---- Input that is none. ----
+// ---- Invalid input. ----
 
 std::string message(std::vector<Mode> modes, std::vector<ModalPoint> points) {
   return test::message_of<InputError>([&] { return ModalModel(modes, points); });
