@@ -6,6 +6,6 @@
 // decomposition has a type of its own: `.eval()` makes it the matrix that the lists name. All else
 // of Eigen works as before and is compiled where it is used.
 //
-// The macro declares that the code is elsewhere. The source of a header's name undefines it before
-// it includes the header, and so instantiates the code.
+// The macro declares that the code is elsewhere. The source of a header's name removes it before it
+// includes the header, and so instantiates the code.
 #define MICROSLIP_INSTANCE extern

@@ -78,7 +78,7 @@ class SmoothingProblem {
   [[nodiscard]] std::vector<SmoothingPoint> path(const std::vector<double>& lambdas) const;
 
  private:
-  /// Diagonals in the basis that diagonalises both: WKᵀWK ~ data, LᵀL ~ penalty.
+  /// Diagonals in the basis that makes both diagonal: WKᵀWK ~ data, LᵀL ~ penalty.
   struct Spectrum {
     Eigen::ArrayXd data;
     Eigen::ArrayXd penalty;
