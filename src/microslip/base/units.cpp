@@ -255,7 +255,7 @@ std::string base_units(const Dimension& dimension) {
   return text;
 }
 
-/// For messages: in quotes, and not whole where it is longer than any unit.
+/// A unit for messages: in quotes, and shortened where it is longer than any unit.
 std::string shown_unit(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   if (text.size() <= kLongest) return fmt::format("'{}'", text);

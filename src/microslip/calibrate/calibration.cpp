@@ -17,10 +17,10 @@
 namespace microslip {
 namespace {
 
-/// Of the frequency of a level over that of its mode with all joints stuck.
+/// Bounds of the frequency of a level over that of its mode with all joints stuck.
 constexpr double kLeastFrequencyRatio = 0.2;
 constexpr double kMostFrequencyRatio = 2.0;
-/// For the progress: the usual number of passes.
+/// The usual number of passes, for the progress.
 constexpr std::size_t kUsualPasses = 40;
 
 void check_sought(const JointedStructure& structure, const std::vector<std::size_t>& sought) {

@@ -12,7 +12,7 @@ namespace {
 /// Draws of the prior: as many as its variance needs.
 constexpr std::size_t kPriorDraws = 400;
 
-/// Where a joint has edges in any of the states, m.
+/// Slip displacements of the edges of a joint in any of the states, m.
 std::vector<double> all_edges(const std::vector<WeighedState>& states, std::size_t joint) {
   std::vector<double> all;
   for (const WeighedState& one : states) {

@@ -69,7 +69,7 @@ struct CalibratedLevel {
   double loss_noise = std::numeric_limits<double>::quiet_NaN();
   double damping_ratio = 0.0;  ///< ζ of structure and joints, 1
   double residual = 0.0;       ///< of the dissipation, over its standard deviation, 1
-  /// Of the frequency, over its standard deviation, 1; NaN without.
+  /// Residual of the frequency, over its standard deviation, 1; NaN without.
   double frequency_residual = 0.0;
   std::vector<JointAtLevel> joints{};  ///< one per joint of the structure
 };
@@ -96,7 +96,7 @@ struct CalibrationResult {
   /// Mean frequency offset of each mode, relative; NaN for modes without frequencies.
   std::vector<double> frequency_offset = {};
   double loss_scatter = 0.0;  ///< of the losses: over σ where given, else relative
-  /// Of the frequencies: over σ where given, else relative; 0 without.
+  /// Scatter of the frequencies: over σ where given, else relative; 0 without.
   double frequency_scatter = 0.0;
   bool loss_std_given = false;         ///< whether σ of all losses was known
   bool frequency_std_given = false;    ///< whether σ of all frequencies was known

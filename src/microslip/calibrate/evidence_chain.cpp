@@ -13,9 +13,9 @@ namespace {
 
 /// Draws of the prior before those that are kept, over these.
 constexpr std::size_t kForgottenShare = 5;
-/// Where a coefficient starts that lies on its limit, in standard deviations without the limits.
+/// Start of a coefficient that lies on its limit, in standard deviations without the limits.
 constexpr double kInside = 1e-3;
-/// Where a trajectory of the prior ends at the latest: it hardly ever has a hundredth of them.
+/// The most reflections of a trajectory of the prior: it hardly ever has a hundredth of them.
 constexpr int kMostReflections = 20'000;
 
 LinearLimits non_negative(Eigen::Index size) { return {size, Eigen::VectorXd::Zero(size)}; }

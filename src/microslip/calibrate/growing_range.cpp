@@ -54,7 +54,7 @@ constexpr std::size_t kFewestForEdges = 20;
 constexpr std::size_t kPlacesOfEdges = 8;
 /// Losses without a deviation scatter by this at least, relative: few levels leave no residual.
 constexpr double kLeastLossScatter = 1e-3;
-/// Times the largest amplitude of a joint at the levels that were found.
+/// Factor from the largest amplitude of a joint at the levels found to one far beyond them.
 constexpr double kFarBeyond = 3.0;
 /// The lowest amplitude that a basis is made for, over the largest.
 constexpr double kLeastRange = 1e-4;
@@ -263,7 +263,8 @@ CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
   return state;
 }
 
-/// Of each level the largest amplitude of a joint that is sought over the largest of all levels.
+/// For each level the largest ratio of the amplitude of a joint sought to its largest of all
+/// levels.
 std::vector<double> GrowingRange::amplitude_shares() const {
   std::vector<double> shares(all_.size(), 0.0);
   for (const std::size_t joint : sought_) {
@@ -489,7 +490,7 @@ void GrowingRange::find_emptiness(const CalibratedState& state) {
   }
 }
 
-/// With other exponents, and edges of the others, some may not be worth their price any more.
+/// Removes edges: with other exponents and edges of the others some may not be worth their price.
 /// @return whether there is one.
 bool GrowingRange::thin_edges(const CalibratedState& state) {
   bool any = false;

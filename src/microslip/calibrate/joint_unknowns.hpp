@@ -51,7 +51,7 @@ class JointUnknowns {
   /// How many θ without edges.
   [[nodiscard]] int coefficients() const { return coefficients_; }
 
-  /// Where ψ may jump, m.
+  /// Slip displacements at which ψ may jump, m.
   [[nodiscard]] std::vector<double> edges() const;
   /// The basis of θ without edges, of s.
   [[nodiscard]] InversionBasis uniform() const { return {lowest_, 1.0, exponent_, coefficients_}; }

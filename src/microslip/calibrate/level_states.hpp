@@ -16,7 +16,7 @@
 
 namespace microslip {
 
-/// Where the resonances of the levels are.
+/// The resonances of the levels.
 class LevelStates {
  public:
   /// @param structure  with the initial guess of its joints.

@@ -17,7 +17,7 @@ constexpr int kMostRounds = 60;
 constexpr double kSettledChange = 0.02;
 /// Start of the search where the weights are unknown.
 constexpr std::array kFirstLambdas = {1e-4, 1e-1, 1e2};
-/// Of each element of the diagonal: rounding, so that a factor exists.
+/// Ridge relative to each element of the diagonal: rounding, so that a factor exists.
 constexpr double kRidge = 1e-13;
 
 /// One round: the solution with given weights, and the weights estimated from it.
@@ -175,7 +175,7 @@ Eigen::VectorXd NormalEquations::linear(const EvidenceWeights& weights) const {
   return sum;
 }
 
-/// Of the rows of k, which are over the deviation that it has as one of the unknowns.
+/// Weight of the rows of k, which are over its deviation as one of the unknowns.
 double NormalEquations::prior_weight() const {
   const WeightedRows& rows = evidence_.of(RowKind::kStiffness);
   const double known = 1.0 / (kKnownStiffness * rows.data(0));

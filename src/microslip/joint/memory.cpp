@@ -34,7 +34,7 @@ Memory::Branch Memory::first_branch(double x) const {
   return branch;
 }
 
-/// On to the branch of which this one was a minor loop.
+/// Continues on the branch of which this one was a minor loop.
 void Memory::close_loop(Branch& branch) {
   const std::size_t older = branch.from_present ? branch.depth : branch.depth - 1;
   branch.from_present = false;

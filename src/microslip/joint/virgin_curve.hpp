@@ -70,7 +70,7 @@ class VirginCurve {
     double sixth_q;
   };
 
-  /// Where the cubic of an s is found; small, so that a loop keeps it in registers.
+  /// Lookup table of the cubic of an s; small, so that a loop keeps it in registers.
   struct Lookup {
     const Cubic* cubics;
     const std::uint32_t* buckets;

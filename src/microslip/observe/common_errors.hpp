@@ -19,8 +19,8 @@ struct CommonErrors {
   double dissipation_gain_std = 0.0;  ///< of D: force and velocity sensors together, 1
   double amplitude_gain_std = 0.0;    ///< of A: the displacement sensor, 1
 
-  /// Of the loss factor of the structure, 1: where it is a share δ too large, D of all levels is
-  /// too low by δW_lin. Above 0 it needs Levels::linear_dissipation.
+  /// Standard deviation of the loss factor of the structure, 1: where it is a share δ too large, D
+  /// of all levels is too low by δW_lin. Above 0 it needs Levels::linear_dissipation.
   double loss_factor_std = 0.0;
 
   /// @throws InputError  naming the deviation that breaks its rule.

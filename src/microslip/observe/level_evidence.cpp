@@ -53,7 +53,7 @@ Column floored_deviations(const Levels& levels, const Column& floor) {
   return deviation;
 }
 
-/// Of ln D over ln A, with no D below the floor.
+/// Scatter of ln D over ln A, with no D below the floor.
 double scatter_of_dissipation(const Levels& levels, const Column& floor) {
   if (levels.size() < kFewestNeighbours) return kUnknownScatter;
   Column x;

@@ -103,10 +103,10 @@ class RowBuilder {
   RowBuilder(std::span<const double> path, std::span<const double> force, PathRows& out)
       : path_(path), force_(force), out_(out) {}
 
-  /// Of the rows to come, m.
+  /// Length of the rows to come, m.
   void set_length(double length) { length_ = length; }
 
-  /// Ends the row; what lies behind the next is new.
+  /// Ends the row; the next one has new stretches behind it.
   void end_stretch() {
     end_row();
     turns_.reset();

@@ -110,7 +110,7 @@ class UnitLoop {
     return (under_half_circle(place_[next(i)]) - under_half_circle(place_[i])) / width(i);
   }
 
-  /// Of close places half of S′ = −x/S.
+  /// For close places half of S′ = −x/S.
   [[nodiscard]] double change(std::size_t i, double by) const {
     if (std::abs(width(i)) > kClose) return by / width(i);
     return height_[i] > 0.0 ? -0.5 * place_[i] / height_[i] : 0.0;
@@ -129,7 +129,8 @@ struct LoopDerivatives {
   std::vector<double> secant;
 };
 
-/// By the forces of its vertices, of which D and k_eq are sums with these weights, m and 1/m.
+/// Derivatives by the forces of its vertices, of which D and k_eq are sums with these weights, m
+/// and 1/m.
 LoopDerivatives by_force(const Loop& loop, const UnitLoop& unit, double amplitude) {
   const std::size_t n = unit.size();
   LoopDerivatives weights{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
@@ -145,9 +146,9 @@ LoopDerivatives by_force(const Loop& loop, const UnitLoop& unit, double amplitud
   return weights;
 }
 
-/// By the displacements of its vertices, N and N/m². An error of u acts by the slope that the force
-/// has there, which is that of the stuck joint behind a turn, however low k_eq is; and one of a
-/// turn moves A and ū.
+/// Derivatives by the displacements of its vertices, N and N/m². An error of u acts by the slope
+/// that the force has there, which is that of the stuck joint behind a turn, however low k_eq is;
+/// and one of a turn moves A and ū.
 /// @param secant  k_eq.
 LoopDerivatives by_displacement(const Loop& loop, const UnitLoop& unit, double amplitude,
                                 double secant) {
@@ -246,8 +247,8 @@ class CycleFinder {
     return true;
   }
 
-  /// Of the turns that are left, whose ranges rise and then fall, those that are nearly as large as
-  /// their neighbours: no larger cycle will close around them.
+  /// Keeps cycles of the remaining turns, whose ranges rise and then fall, that are nearly as large
+  /// as their neighbours: no larger cycle will close around them.
   void take_nearly_closed() {
     for (std::size_t i = 0; i + 2 < turns_.size(); ++i) {
       const double as_large = (1.0 - kAsLarge) * range(i);

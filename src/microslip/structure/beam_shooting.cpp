@@ -9,7 +9,7 @@ namespace {
 
 using Pair = BeamShooting::Pair;
 
-/// Of an element; see the top of the header, and duncan_functions().
+/// Largest λh of an element; see the top of the header, and duncan_functions().
 constexpr double kLargestStep = 2.0;
 
 /// Terms of Duncan's series: at z = 2 the next one is 4e-21 of the first.

@@ -28,7 +28,7 @@ using BeamState = std::array<double, 4>;
 /// K3 = (sinh z − sin z)/2, each the derivative of the next one, K3 that of K0.
 using DuncanFunctions = std::array<double, 4>;
 
-/// To rounding, each relative to itself. @param z  in [0, 2].
+/// Duncan's functions to rounding, each relative to itself. @param z  in [0, 2].
 [[nodiscard]] DuncanFunctions duncan_functions(double z);
 
 /// The state at a distance z/λ behind the given one.

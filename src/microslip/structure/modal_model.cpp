@@ -42,7 +42,7 @@ std::string names_of(std::span<const Named> named) {
   return text.empty() ? "none" : text;
 }
 
-/// Not empty, and none before it has it.
+/// Checks that a name is not empty and differs from those before it.
 template <class Named>
 void check_name(std::span<const Named> named, std::size_t at, std::string_view what) {
   const std::string& name = named[at].name;

@@ -38,7 +38,7 @@ struct DegreeOfFreedom {
   std::int64_t node = 0;                          ///< its number in the mesh
   NodalDirection direction = NodalDirection::kX;  ///< translation, m, or rotation, rad
 
-  /// By node, then by direction.
+  /// Orders by node, then by direction.
   friend auto operator<=>(const DegreeOfFreedom&, const DegreeOfFreedom&) = default;
 };
 

@@ -61,7 +61,7 @@ class DensityReader {
   std::vector<double> slip_force_;
 };
 
-/// From 0 to `top`, as the knots are spaced.
+/// Slip forces from 0 to `top`, spaced as the knots.
 std::vector<double> axis_of(const AssemblyModel& model, double top) {
   std::vector<double> axis{0.0};
   double before = 0.0;

@@ -29,7 +29,7 @@ struct AssemblyDraw {
   double dissipation_scatter = 0.0;  ///< τ of the rows of D
 };
 
-/// Where a chain starts.
+/// Start of a chain.
 struct AssemblyStart {
   ChainTarget target;  ///< penalty, its λ and limits on single coefficients; rows are set here
   ChainStart chain;    ///< x and λ

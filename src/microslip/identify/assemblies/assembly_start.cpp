@@ -63,7 +63,7 @@ ScaledLevels extended(const LevelEvidence& levels, double stiffness, double exte
   return scaled;
 }
 
-/// All of one pass: they refer to each other.
+/// The data of one pass, which refer to each other.
 struct Pass {
   LevelEvidence levels;
   ScaledLevels scaled;

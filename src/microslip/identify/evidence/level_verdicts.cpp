@@ -35,7 +35,7 @@ struct Directions {
   bool enough = false;
 };
 
-/// Of each level whether it rises, 1, or falls, −1.
+/// The direction of each level: rising, 1, or falling, −1.
 std::vector<double> rising_of(const std::vector<double>& log_amplitude) {
   std::vector<double> rising(log_amplitude.size(), 1.0);
   const std::vector<std::size_t> turns = turning_samples(log_amplitude, kSameAmplitude);

@@ -22,8 +22,9 @@ constexpr double kMostScatter = 2.0;        // standard deviations
 /// Drives of 0.1 Hz steps at 55 Hz jump by up to 0.2 %.
 constexpr double kMostChange = 3e-3;
 constexpr double kMostChangeOfKnown = 1e-3;
-/// Of each of two levels: as a sum more than four of their difference, for there are many pairs.
-constexpr double kTellingChange = 3.0;
+/// Standard deviations of each of two levels: their sum is more than four of the difference, as
+/// there are many pairs.
+constexpr double kSignificantChange = 3.0;
 constexpr double kMicrometre = 1e-6;
 
 std::optional<SecantEvidence> secant_evidence(const LevelEvidence& levels, const Joint& joint) {
@@ -92,7 +93,7 @@ FrequencyChange largest_rise(const Frequencies& levels, const std::vector<double
   std::size_t from = 0;
   std::size_t to = 0;
   double most = -std::numeric_limits<double>::infinity();
-  const auto margin = [&](std::size_t i) { return kTellingChange * levels.deviation[i]; };
+  const auto margin = [&](std::size_t i) { return kSignificantChange * levels.deviation[i]; };
   for (std::size_t i = 1; i < levels.size(); ++i) {
     const double rise = (value[i] - margin(i)) - (value[lowest] + margin(lowest));
     if (rise > most) {

@@ -24,9 +24,9 @@ namespace microslip {
 struct SecantEvidence {
   /// Mean of k_eq as measured minus that of the joint, weighted by 1/σ², N/m.
   double offset = 0.0;
-  /// Of that mean, N/m: the weighted mean of the σ given, as if the errors were common to all
-  /// levels; where none was given that of a mean of independent errors as large as the measured
-  /// scatter, of 0.1 % of k at least.
+  /// Standard deviation of that mean, N/m: the weighted mean of the σ given, as if the errors were
+  /// common to all levels; where none was given that of a mean of independent errors as large as
+  /// the measured scatter, of 0.1 % of k at least.
   double offset_std = 0.0;
   /// Residual without the offset, rms over σ, 1; nothing where σ was not given.
   std::optional<double> scatter;

@@ -26,7 +26,7 @@ constexpr double kMostTrendDuringSearch = 20.0;  ///< until all edges are found
 constexpr double kTrendPrice = 2.0;
 /// Knots that are tried for another edge.
 constexpr std::size_t kPlaces = 6;
-/// On either side of a knot, within one spacing; the minimum lies between two of them.
+/// Places on either side of a knot, within one spacing; the minimum lies between two of them.
 constexpr int kPlacesOfCell = 4;
 constexpr std::uintmax_t kMostOfBrent = 8;
 /// Distance from an edge at which its deviation is sought first, in spacings, and the number of
@@ -86,8 +86,8 @@ bool EdgeSearch::has_room(const std::vector<BasisEdge>& edges) const {
          room_until(options_.coefficients - 1, options_.amplitude.size());
 }
 
-// Where the solution gains most from leaving out the penalty around a knot: by
-// λyᵀ(I − λLH⁻¹Lᵀ)⁻¹y, y = Lx, L the rows that reach it.
+// The knots where the solution gains most from leaving out the penalty around them: by λyᵀ(I −
+// λLH⁻¹Lᵀ)⁻¹y, y = Lx, L the rows that reach it.
 std::vector<int> EdgeSearch::likely_places(const EdgedFit& fit) {
   const SolutionBends bends = model_.bends(fit);
   std::vector<std::pair<double, int>> gains;
@@ -160,7 +160,7 @@ EdgedFit EdgeSearch::moved(EdgedFit fit) {
   return fit;
 }
 
-// From how far the evidence falls on either side, at a distance where it does so by about 1.
+// Computed from the change of the evidence on either side, at a distance where it is about 1.
 double EdgeSearch::deviation(const EdgedFit& fit, std::size_t edge) {
   double sum = 0.0;
   int sides = 0;

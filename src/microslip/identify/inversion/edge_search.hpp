@@ -45,7 +45,7 @@ class EdgedModel {
   [[nodiscard]] virtual EdgedFit fit(std::vector<BasisEdge> edges, double trend,
                                      const EdgedFit& start, bool coarse) = 0;
 
-  /// Of the solution of a fit.
+  /// The bends of the solution of a fit.
   [[nodiscard]] virtual SolutionBends bends(const EdgedFit& fit) = 0;
 };
 

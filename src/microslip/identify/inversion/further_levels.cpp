@@ -43,7 +43,7 @@ LevelRows deviations_of(const LevelEvidence& evidence, const InversionResult& re
   return deviation;
 }
 
-/// Of single levels: one merged from n has √n times as much.
+/// Deviations of single levels: one merged from n has √n times as much.
 void undo_merging(const LevelEvidence& evidence, LevelRows& deviation) {
   for (std::size_t i = 0; i < evidence.size(); ++i) {
     const double root = std::sqrt(static_cast<double>(evidence.merged().count[i]));

@@ -30,9 +30,10 @@ constexpr int kAtomPlacesNear = 13;
 constexpr Eigen::Index kFewestForAtom = 20;
 /// Fewer levels hardly distinguish an edge or a trend from a smooth density.
 constexpr Eigen::Index kFewestForShape = 40;
-/// Of Schwarz's criterion: "very strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
+/// Difference of Schwarz's criterion: "very strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995)
+/// 773].
 constexpr double kStrongEvidence = 10.0;
-/// Of all that slips, the share of an atom.
+/// The least share of an atom in the area.
 constexpr double kLeastAtom = 1e-2;
 
 /// The basis follows a density with steps and atoms to about this share of D: less scatter proves
@@ -180,7 +181,7 @@ double AtomSearch::with_atom(double top, std::size_t edges) {
   return criterion_of_atom(pathed(pass));
 }
 
-/// Where the criterion is least, and how much it is there. It is not smooth: λ is chosen anew
+/// The place where the criterion is least, and its value there. It is not smooth: λ is chosen anew
 /// everywhere, so the best of some places around the best of all comes before the search between
 /// two.
 std::pair<double, double> AtomSearch::likeliest(std::size_t edges) {

@@ -71,7 +71,7 @@ class InversionBasis {
   /// Area ∫p ds from p at the knots: one per knot.
   [[nodiscard]] Eigen::VectorXd knot_area() const;
 
-  /// Where each knot is among those that are equally spaced, 0 to 1; 0 for the ones below them.
+  /// The place of each knot among the equally spaced ones, 0 to 1; 0 for the ones below them.
   [[nodiscard]] Eigen::VectorXd knot_places() const;
 
   /// Area ∫p ds from θ.
@@ -81,7 +81,7 @@ class InversionBasis {
   /// range as the unit, none across an edge: rows (size − 2 ranges) × size.
   [[nodiscard]] Eigen::MatrixXd second_differences() const;
 
-  /// Where the middle coefficient of each row of second_differences() is, in spacings.
+  /// The place of the middle coefficient of each row of second_differences(), in spacings.
   [[nodiscard]] Eigen::VectorXd middles() const;
 
  private:

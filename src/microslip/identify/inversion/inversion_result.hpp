@@ -48,16 +48,17 @@ struct InversionResult {
   /// Scatter of D alone; `scatter` is of D and k_eq together. Degrees of freedom are those that the
   /// rows of each kind leave.
   double dissipation_scatter = 0.0;
-  /// Of k_eq alone, relative to its standard deviation; nothing where that was not given. Below 1
-  /// where the standard deviation includes an error common to neighbouring levels, as that of
-  /// Reducer does.
+  /// Scatter of k_eq alone, relative to its standard deviation; nothing where that was not given.
+  /// Below 1 where the standard deviation includes an error common to neighbouring levels, as that
+  /// of Reducer does.
   std::optional<double> secant_scatter = {};
 
   std::vector<double> fitted_dissipation;       ///< D of the result at LevelEvidence::levels(), J
   std::vector<double> fitted_secant_stiffness;  ///< N/m; where k_eq was measured; with the offset
   double secant_offset = 0.0;  ///< weighted mean of k_eq as measured less as D and k give it, N/m
-  /// Of that mean, N/m: where standard deviations of k_eq were given their weighted mean, as if the
-  /// errors were common to all levels; otherwise that of a mean of independent ones.
+  /// Standard deviation of that mean, N/m: where standard deviations of k_eq were given their
+  /// weighted mean, as if the errors were common to all levels; otherwise that of a mean of
+  /// independent ones.
   double secant_offset_std = 0.0;
 
   /// By how much D requires a negative density, in standard deviations (smoothing included): the

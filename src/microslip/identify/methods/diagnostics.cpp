@@ -128,7 +128,8 @@ void diagnose_scatter(const InversionResult& result, std::vector<Warning>& warni
   }
 }
 
-/// Of log D about a smooth curve; nothing where there are too few levels, or some without D.
+/// Scatter of log D about a smooth curve; nothing where there are too few levels, or some without
+/// D.
 std::optional<double> scatter_of_curve(const Levels& levels) {
   const auto is_positive = [](double d) { return d > 0.0; };
   if (levels.size() < 5 || !std::ranges::all_of(levels.dissipation, is_positive)) {

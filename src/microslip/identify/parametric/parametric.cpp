@@ -380,7 +380,7 @@ class Fit {
     add_criteria(best, result);
   }
 
-  /// With each unknown scatter at its most likely value.
+  /// Criteria with each unknown scatter at its most likely value.
   void add_criteria(const Minimum& best, ParametricResult& result) const {
     constexpr double kLeast = 1e-12;  // an exact fit is not infinitely likely
     const LevelRows left = level_residuals(best.q);

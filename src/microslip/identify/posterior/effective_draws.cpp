@@ -9,7 +9,7 @@ namespace {
 /// Draws that are equal differ from their mean by rounding.
 constexpr double kOfEqualDraws = 1e-24;
 
-/// Of deviations from the mean of all, `lag` apart, within chains.
+/// Correlation of deviations from the mean of all, `lag` apart, within chains.
 double autocovariance(std::span<const double> draws, std::size_t chain, double mean,
                       std::size_t lag) {
   double sum = 0.0;

@@ -49,7 +49,7 @@ struct ChainTarget {
   LinearLimits limits;
   double least_lambda = 0.0;
   double most_lambda = 0.0;
-  /// Of the rows of L from above, all of them; empty: one block between the two ends.
+  /// The blocks of all rows of L, from above; empty: one block between the two ends.
   std::vector<ChainBlock> blocks = {};
   double local_deviation = 3.0;  ///< of LocalSmoothing
 };

@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-/// Of ln σ: steps of 3 %, far below the accuracy from few assemblies.
+/// Number of steps of ln σ: 3 % each, far below the accuracy from few assemblies.
 constexpr std::size_t kCells = 400;
 
 }  // namespace

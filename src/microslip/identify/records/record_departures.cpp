@@ -41,7 +41,7 @@ VectorXd normalised(VectorXd values) {
   return largest > 0.0 ? VectorXd(values / largest) : values;
 }
 
-/// From −1 to 1.
+/// Scales values to −1 to 1.
 VectorXd from_end_to_end(VectorXd values) {
   const double low = values.minCoeff();
   const double width = values.maxCoeff() - low;

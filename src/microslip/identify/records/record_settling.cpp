@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kPathPoints = 25;
 /// Passes until the noise of the records is known.
 constexpr int kNoisePasses = 2;
-/// Of a first guess of the scatter, over the largest force.
+/// First guess of the scatter, over the largest force.
 constexpr double kFirstScatter = 1e-2;
 constexpr double kMostCorrelation = 0.95;
 /// No levels are exact to more than this, of D or of the deviations given.
@@ -20,7 +20,7 @@ constexpr double kLeastLevelScatter = 1e-6;
 /// χ₀ that are tried beside 0. The slip below the resolution of a record follows from it, and k
 /// with it: a power law continued to zero has more stiffness there than a density that levels off.
 constexpr std::array kPowers = {-0.25, -0.5, -0.75};
-/// Of −2 ln likelihood: "strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
+/// Decrease of −2 ln likelihood: "strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongPower = 6.0;
 
 SettledRecords run_pass(const ScaledRecords& records, const RecordPass& settings) {

@@ -55,7 +55,7 @@ double misfit(const Left& left, double scatter, const PathRows& path, const Coun
   return rows > 0.0 ? std::sqrt(sum / rows) : 0.0;
 }
 
-/// Of each sample whether it is in a row.
+/// Whether each sample is in a row.
 std::vector<bool> samples_in(const PathRows& path, std::size_t size) {
   std::vector<bool> in(size, false);
   for (const PathRow& row : path.rows) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPrimalTolerance = 1e-12;
 constexpr double kDualTolerance = 1e-10;
-/// Of the sum of |H_ij x_j|: a dozen of them or so are as large as the largest, and so is the
-/// backward error of the factorisation.
+/// Rounding relative to the sum of |H_ij x_j|: a dozen of them or so are as large as the largest,
+/// and so is the backward error of the factorisation.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr int kBlockTrials = 4;  // block exchanges without progress before go_downhill()
 constexpr int kMostExchanges = 2000;

@@ -10,7 +10,7 @@ namespace microslip {
 struct SignedDensity {
   std::vector<double> slip_force;  ///< f* = kA, N; increasing
   std::vector<double> density;     ///< φ(f*), 1/N; of the same length
-  /// Of φ, from that of D alone, 1/N; of the same length or empty (not known).
+  /// Standard deviation of φ, from that of D alone, 1/N; of the same length or empty (not known).
   std::vector<double> standard_deviation;
 };
 

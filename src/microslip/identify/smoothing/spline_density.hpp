@@ -22,7 +22,7 @@ struct SplineDensityOptions {
 struct SplineDensityResult {
   double stiffness = 0.0;  ///< k, N/m
   SignedDensity density;   ///< at each distinct level; zero at the first and the last
-  /// Of D(A): A in m, D in J, λ in m³; its Summary is that of the method.
+  /// The fit of D(A): A in m, D in J, λ in m³; its Summary is that of the method.
   SmoothingSplineResult fit;
   std::vector<Warning> warnings;  ///< those of the fit, and density_negative
 
