@@ -276,8 +276,8 @@ Moments moments_of(const std::vector<double>& a, const std::vector<double>& b) {
           product > 0.0 ? ab / product : 0.0};
 }
 
-/// Finds pairs of joints whose individual losses are not determined. @param
-/// losses  [level][joint][draw].
+/// Finds pairs of joints whose individual losses are not determined.
+/// @param losses  [level][joint][draw].
 void read_pairs(const std::vector<std::vector<std::vector<double>>>& losses,
                 CalibrationResult& result) {
   for (std::size_t first = 0; first < result.joints.size(); ++first) {

@@ -264,8 +264,8 @@ class CycleFinder {
     }
   }
 
-  /// The vertices of a cycle without closed cycles inside. @param last  the next turn; becomes the
-  /// end of the cycle.
+  /// The vertices of a cycle without closed cycles inside.
+  /// @param last  the next turn; becomes the end of the cycle.
   [[nodiscard]] Loop loop_of(std::size_t a, std::size_t b, std::size_t& last) const {
     Loop loop;
     const double start = path_[a];
