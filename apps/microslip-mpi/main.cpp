@@ -19,7 +19,7 @@ std::unique_ptr<microslip::Team> make_mpi_team(std::size_t threads) {
   return std::make_unique<microslip::app::MpiTeam>();
 }
 
-/// All ranks would say the same of a wrong call; rank 0 says it.
+/// All ranks would report a wrong call; only rank 0 does.
 void be_silent() {
   const bool silent = std::freopen("/dev/null", "w", stdout) != nullptr &&
                       std::freopen("/dev/null", "w", stderr) != nullptr;

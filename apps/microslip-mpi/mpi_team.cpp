@@ -85,7 +85,7 @@ std::string first_difference(const std::string& text, const std::string& other) 
 
 }  // namespace
 
-/// Rank 0: what is dealt, to whom, and what came back.
+/// Rank 0: deals blocks and collects their results.
 class MpiTeam::Dealer {
  public:
   Dealer(int ranks, const std::vector<std::uint64_t>& blocks, const Receive& receive)
@@ -170,14 +170,14 @@ class MpiTeam::Dealer {
   const std::vector<std::uint64_t>& blocks_;
   const Receive& receive_;
   std::vector<std::size_t> in_hand_;  ///< blocks that a rank has, one in work among them
-  std::vector<bool> ended_;           ///< one a rank: it was told that nothing follows
+  std::vector<bool> ended_;           ///< one per rank: it was notified that nothing follows
   std::size_t next_ = 0;
   std::size_t left_ = 1;  ///< ranks that have left; this one stays to the end
   bool stopped_ = false;
   std::string failure_;
 };
 
-/// Another rank: does what it is told.
+/// Another rank: does the blocks it receives.
 class MpiTeam::Worker {
  public:
   explicit Worker(int rank) : rank_(rank) {}
@@ -261,25 +261,25 @@ MpiTeam::MpiTeam() {
 }
 
 void MpiTeam::agree(const std::string& text, const std::string& failure) {
-  // A rank says "!" and why it cannot, or "=" and what of the text of rank 0 is otherwise here, if
-  // anything; behind the name of the process. It is short, however much the inputs are.
+  // A rank sends "!" and why it cannot take part, or "=" and what differs from the text of rank 0,
+  // if anything; after the name of the process. The message is short, however large the inputs.
   auto length = static_cast<std::uint64_t>(text.size());
   MPI_Bcast(&length, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
   std::string first = text;
   first.resize(length);
   MPI_Bcast(first.data(), static_cast<int>(length), MPI_BYTE, 0, MPI_COMM_WORLD);
-  std::string told = "!" + failure;
+  std::string reply = "!" + failure;
   if (failure.empty())
-    told = "=" + (coordinates() || text == first ? "" : first_difference(text, first));
-  constexpr std::size_t kMostTold = 1000;
-  const std::string said = name_of_process(rank_) + "\n" + told.substr(0, kMostTold);
-  const int size = static_cast<int>(said.size());
+    reply = "=" + (coordinates() || text == first ? "" : first_difference(text, first));
+  constexpr std::size_t kLongestReply = 1000;
+  const std::string sent = name_of_process(rank_) + "\n" + reply.substr(0, kLongestReply);
+  const int size = static_cast<int>(sent.size());
   std::vector<int> sizes(static_cast<std::size_t>(size_));
   MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
   std::vector<int> starts(sizes.size());
   std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
   std::string all(coordinates() ? static_cast<std::size_t>(starts.back() + sizes.back()) : 0, '\0');
-  MPI_Gatherv(said.data(), size, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
+  MPI_Gatherv(sent.data(), size, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
               MPI_COMM_WORLD);
   std::optional<InputError> fault;
   for (std::size_t rank = 1; coordinates() && failure.empty() && !fault && rank < sizes.size();

@@ -94,7 +94,7 @@ assert.equal(await row('Sessions', 'friday').count() > 0, true);
 // Both days are of one joint: D of 20 Nm is that of 12 Nm within its noise.
 assert.match(await row('Levels by what the tests say', 'torque_Nm').nth(1).textContent(), /^torque_Nm2017/);
 const torque = await row('What conditions do', 'torque_Nm').textContent();
-assert.match(torque, /^torque_NmD [+-][\d.e-]+ ± [\d.e-]+ %, frequency .* per unit of torque_NmyesD of 20 is .* off that of 12; the frequency/);
+assert.match(torque, /^torque_NmD [+-][\d.e-]+ ± [\d.e-]+ %, frequency .* per unit of torque_NmyesD at 20 differs by .* from that at 12; the frequency/);
 assert.equal(await page.locator('.table-block', {hasText: 'Left out'}).first().locator('tbody tr').count(), 2);
 const force = tools.figure(page, 'Measured and predicted force');
 assert.deepEqual(await force.locator('option').allTextContents(), ['middle.csv', 'strange.csv']);

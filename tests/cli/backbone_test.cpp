@@ -191,7 +191,7 @@ TEST(backbone, RefusesBadCalls) {
       {{"--response", "1N:2N:3"}, {"FROM of --response: unit = 'N'"}},
       {{"--response", "1:2:1"}, {"COUNT of --response = '1'", "from 2"}},
       {{"--response", "1:2:3", "--mode", "0"}, {"--mode = '0'", "from 1 to 1"}},
-      {{"--response", "1:2:3", "--mode", "2"}, {"--mode = '2'", "how many modes"}},
+      {{"--response", "1:2:3", "--mode", "2"}, {"--mode = '2'", "that many modes"}},
       {{"--response", "1:2:3", "--forcing", "shaker"}, {"--forcing", "modal"}},
       {{"--response", "1:2:3", "--harmonics", "0"}, {"--harmonics = '0'"}},
       {{"--response", "1:2:3", "--samples", "8"}, {"--samples = 8", "from 12"}},

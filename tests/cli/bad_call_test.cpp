@@ -40,7 +40,7 @@ TEST(BadCall, OfTheProgram) {
   expect_all_refused({}, {{{}, {"A subcommand is required", "microslip --help"}},
                           {{"guess"}, {"'guess'", "identify", "loop", "dissipation", "demo"}},
                           {{"Identify"}, {"'Identify'", "must be one of"}},
-                          {{"identfy"}, {"'identfy'", "; identify is near"}},
+                          {{"identfy"}, {"'identfy'", "; did you mean identify?"}},
                           {{"--bogus"}, {"--bogus", "microslip --help"}},
                           {{""}, {"''"}}});
 }
@@ -57,16 +57,16 @@ TEST(BadCall, MissingOrSuperfluous) {
             {"--path", "--amplitude"}},
            {{"dissipation", "joint.json", "--out", "c.csv"}, {"--amplitude is required"}},
            {{"plot", ".", "--figure", "denisty"},
-            {"--figure = 'denisty'; must be one of energies, ", "; density is near"}},
+            {"--figure = 'denisty'; must be one of energies, ", "; did you mean density?"}},
            {{"demo", "here"}, {"here", "microslip demo --help"}}});
-  expect_all_refused(kIdentify,
-                     {{{"more.csv"}, {"more.csv"}},
-                      {{"--bogus"}, {"--bogus", "microslip identify --help"}},
-                      {{"--dissipation-gain", "5%"},
-                       {"There is no option --dissipation-gain; --dissipation-gain-std is near"}},
-                      {{"--bands=20", "--loss-factr-std", "5%"},
-                       {"There is no option --loss-factr-std; --loss-factor-std is near"}},
-                      {{"--stiffness", "2e5"}, {"--stiffness"}}});
+  expect_all_refused(
+      kIdentify, {{{"more.csv"}, {"more.csv"}},
+                  {{"--bogus"}, {"--bogus", "microslip identify --help"}},
+                  {{"--dissipation-gain", "5%"},
+                   {"There is no option --dissipation-gain; did you mean --dissipation-gain-std?"}},
+                  {{"--bands=20", "--loss-factr-std", "5%"},
+                   {"There is no option --loss-factr-std; did you mean --loss-factor-std?"}},
+                  {{"--stiffness", "2e5"}, {"--stiffness"}}});
 }
 
 TEST(BadCall, Stiffness) {

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 const std::string kExample = MICROSLIP_EXAMPLES "/brake_reuss_beam/";
 
 /// The stepped sines of the Brake–Reuß beam [Chen et al. and Jin et al., Mech. Syst. Signal
-/// Process. 166 (2022) 108401, 108402]: identified by those of held response, predicted for those
-/// of held force.
+/// Process. 166 (2022) 108401, 108402]: identified from those at constant response, predicted for
+/// those at constant force.
 class BrakeReuss : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -38,7 +38,7 @@ class BrakeReuss : public ::testing::Test {
     }
   }
 
-  /// Force, amplitude and frequency of phase resonance of the sweeps of held force.
+  /// Force, amplitude and frequency of phase resonance of the sweeps at constant force.
   CsvTable measured() const {
     const Outcome run = box_.run({"reduce", "rig.toml", "sweeps.mat:FRdata.ForceControl", "--out",
                                   "measured.csv", "--quiet"});
@@ -88,7 +88,7 @@ TEST_F(BrakeReuss, PeaksOfTheOtherSweepsFollowFromLinearDampingAndSlip) {
   }
 }
 
-/// The model of the tutorial, with the spread that it takes from the eight sweeps of held response.
+/// The model of the tutorial, with the spread from the eight sweeps at constant response.
 const std::string kDrawn = R"(schema = "microslip.model/1"
 [structure]
 frequency_Hz = [80.38]
@@ -192,7 +192,7 @@ TEST_F(BrakeReuss, ACampaignPredictsSweepsOfHeldForceByThoseOfHeldResponse) {
 // A blow on the same beam in another session, as the tutorial has it: the frequencies lie in the
 // band of what those of the sweeps miss the model by. The damping ratio is -3 to 16 % above what
 // the sweeps say, 8 % on the mean, by which of session, place of the accelerometer and other modes
-// is not known: here 4 to 12 %, and it is told.
+// is not known: here 4 to 12 %, and it is reported.
 TEST_F(BrakeReuss, ABlowIsPredictedBySweeps) {
   const fs::path file =
       fs::path(std::getenv("MICROSLIP_DATA_DIR")) / "brake_reuss_beam/HammerImpact.mat";

@@ -157,7 +157,7 @@ TEST(calibrate, APredictionRefusesJointsThatAreToBeFound) {
   const Outcome run =
       box.run({"backbone", "model.toml", "--response", "1e-5:2e-5:2", "--out", "b.csv"});
   EXPECT_EQ(run.status, 2);
-  EXPECT_NE(run.err.find("Find it first, by calibrate"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("Identify it first with calibrate"), std::string::npos) << run.err;
 }
 
 }  // namespace

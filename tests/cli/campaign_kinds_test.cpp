@@ -67,7 +67,7 @@ void record_sweep(const Sandbox& box) {
   box.put("swept.csv", test::noisy_sweep(box.get("frf.csv"), random));
 }
 
-/// held_20.csv to held_320.csv: sweeps of held response, in µm, with noise; the tests that they
+/// held_20.csv to held_320.csv: sweeps at constant response, in µm, with noise; the tests that they
 /// are.
 std::string record_held(const Sandbox& box) {
   RandomStream random(23, 1);
@@ -178,7 +178,7 @@ TEST(campaignKinds, ABlowFollowsFromSweeps) {
   }
 }
 
-// The other way round: levels of the blow are those of the true joint within their σ, rms below
+// Conversely: levels of the blow are those of the true joint within their σ, rms below
 // 1.5, and the sweep's peak follows from them: the 0.3 % of noise that its force has at each step
 // are in the band.
 TEST(campaignKinds, ABlowIdentifiesTheJoint) {
@@ -341,7 +341,7 @@ TEST(campaignKinds, SaysWhatATorqueDoes) {
   const std::string text = box.get("found/campaign.csv");
   EXPECT_NE(text.find("# warning: conditions_pooled: tests of torque_Nm = 20, 25"),
             std::string::npos);
-  EXPECT_NE(text.find("identify them apart"), std::string::npos);
+  EXPECT_NE(text.find("identify them separately"), std::string::npos);
   EXPECT_EQ(text.find("tests of order"), std::string::npos);  // all of one value
   EXPECT_NE(text.find("# warning: condition_not_identified: swept is predicted at torque_Nm = 30"),
             std::string::npos);
@@ -354,7 +354,7 @@ TEST(campaignKinds, SaysThatTorquesDoNothing) {
   expect_done(box, kCall);
   const std::string text = box.get("found/campaign.csv");
   EXPECT_NE(text.find("# warning: conditions_pooled"), std::string::npos);
-  EXPECT_EQ(text.find("identify them apart"), std::string::npos);
+  EXPECT_EQ(text.find("identify them separately"), std::string::npos);
   EXPECT_EQ(text.find("condition_not_identified"), std::string::npos);
 }
 

@@ -231,7 +231,7 @@ TEST(campaign_of_a_model, PredictsAModeFromTwoOthers) {
   EXPECT_EQ(std::ranges::count(kinds, "modal-levels"), static_cast<std::ptrdiff_t>(kinds.size()));
   EXPECT_NE(box.get("found/sessions.csv").find("against that of the joints, std of the means"),
             std::string::npos);
-  // What was identified from is told from what was not.
+  // Tests used for identification are distinguished from others.
   expect_done(box, {"report", "found", "--no-pictures", "--out", "report.html"});
   const std::string report = box.get("report.html");
   const std::string alone = "predicted alone";
@@ -379,7 +379,7 @@ TEST(campaign_of_a_model, PutsTheOffsetOnTheStructureAlone) {
   }
 }
 
-// 10 % are twenty times the noise. Left out, the test of the second mode on Friday is held against
+// 10 % are twenty times the noise. Left out, the test of the second mode on Friday is compared with
 // five that agree.
 TEST(campaign_of_a_model, NamesTheTestOfAFalsifiedMode) {
   MICROSLIP_OF_RELEASE_ALONE();
@@ -443,7 +443,7 @@ TEST(campaign_of_a_model, NamesNoneThatAgree) {
 }
 
 // Damping ratios without standard deviations: their noise is a share of the loss of structure and
-// joints, and so is what they are held against. The losses that are left for the joints are
+// joints, and so is what they are compared with. The losses that are left for the joints are
 // negative at some of the lowest levels; means are not off by them. Five standard deviations of
 // nine ratios.
 TEST(campaign_of_a_model, JudgesDampingRatiosByTheirScatter) {
@@ -467,7 +467,7 @@ TEST(campaign_of_a_model, JudgesDampingRatiosByTheirScatter) {
 }
 
 // Losses scatter by 0.5 % and say 0.2 %: calibrate tells so, and what is left out and what is
-// predicted is held against what they scatter by.
+// predicted is compared with their scatter.
 TEST(campaign_of_a_model, TakesDeviationsForNoLessThanTheScatter) {
   MICROSLIP_STUDY();
   const Laboratory box;
@@ -487,7 +487,7 @@ TEST(campaign_of_a_model, TakesDeviationsForNoLessThanTheScatter) {
             std::string::npos);
 }
 
-// Without one of two modes the other cannot tell two joints apart: that is said, and nobody
+// Without one of two modes the other cannot distinguish two joints: that is said, and nobody
 // accused.
 TEST(campaign_of_a_model, DoesNotJudgeByJointsThatAreKnownOnlyTogether) {
   const Laboratory box;
@@ -511,10 +511,10 @@ use = "identify"
   EXPECT_GE(std::ranges::count(left_out.text("contradicts"), "not_judged"), 1) << run.out;
   EXPECT_NE(left_out.text("warnings_of_others").front().find("known_only_together"),
             std::string::npos);
-  EXPECT_NE(run.out.find("is not judged: without it"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("is not assessed: without it"), std::string::npos) << run.out;
 }
 
-// What is told of a level names its test, and what a table tells of its levels goes along.
+// What is reported of a level names its test, and what a table tells of its levels goes along.
 TEST(campaign_of_a_model, NamesLevelsByTheirTests) {
   const Laboratory box;
   const std::string flagged =
@@ -579,7 +579,7 @@ mode = 2
 sensors = { displacement = "p1" }
 )";
   box.put("campaign.toml", test::replaced(plan, "forcing = \"modal\"\n", ""));
-  expect_refused(box, kCall, {"blow", "ringdown", "nothing drives a decay", "forcing = \"modal\""});
+  expect_refused(box, kCall, {"blow", "ringdown", "a decay is not driven", "forcing = \"modal\""});
   box.put("campaign.toml", plan);
   expect_done(box, kCall);
   EXPECT_TRUE(box.has("found/blow_levels.csv"));
@@ -625,7 +625,7 @@ file = "steady.csv"
 use = "identify"
 )"}};
   expect_refused(box, {"campaign", "modal.toml", "--out", "found"},
-                 {"steady", "drives a steady record", "forcing = \"excitation\""});
+                 {"steady", "a steady record is driven", "forcing = \"excitation\""});
   expect_done(box, kCall);
   EXPECT_TRUE(box.has("found/steady_levels.csv"));
   const CsvTable rows = table(box, "campaign.csv");
@@ -710,7 +710,7 @@ use = "identify"
           {"monday1", "a structure with joints"});
   refused("model = \"model.toml\"", "model = \"levels.csv\"", {"must be a model.toml"});
   refused("model = \"model.toml\"", "model = \"model.toml\"\nstructure = \"model.toml\"",
-          {"model", "beside structure"});
+          {"model", "with structure"});
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ TEST(demo, RunsTheWholeChain) {
       EXPECT_NE(summary.find(name), std::string::npos) << name << " is not in the summary";
     }
   }
-  // The main report is told first.
+  // The main report is listed first.
   const auto rig_report = summary.find("  demo/reference_rig/report.html");
   ASSERT_NE(rig_report, std::string::npos) << summary;
   EXPECT_LT(rig_report, summary.find("  demo/brake_reuss_beam/report.html"));
@@ -209,7 +209,7 @@ TEST(demo, ReplacesNothingOfAnotherKind) {
   expect_refused(box, {"demo", "--out", "demo"}, {"reference_rig/density.csv", "Remove it"});
 }
 
-// The reports come last; what stands in their way is told before anything is written.
+// The reports come last; what stands in their way is reported before anything is written.
 TEST(demo, ReplacesNoPageThatIsNone) {
   const Sandbox box;
   fs::create_directories(box.file("demo/brake_reuss_beam"));

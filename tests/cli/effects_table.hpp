@@ -7,7 +7,7 @@
 
 /// @file
 /// The table tests/data/effects.txt: each option, key and column, and the outputs that must change
-/// with it. Its format is told at its top.
+/// with it. Its format is described at its top.
 
 namespace microslip::cli_test {
 

@@ -65,7 +65,7 @@ for ((i = 0; i < kills; ++i)); do
   rm r.h5
 done
 
-# A wrong call is told once, by rank 0, and ends all of them.
+# A wrong call is reported once, by rank 0, and ends all of them.
 status=0
 mpirun -n 3 "$ranks" ensemble nothing.toml --out r.h5 >told.log 2>&1 || status=$?
 [[ $status -eq 2 ]] || fail "a missing plan: status $status"

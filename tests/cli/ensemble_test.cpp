@@ -93,7 +93,7 @@ TEST(Ensemble, RefusesWhatCannotBe) {
   expect_refused(box, {"ensemble", "plan.toml", "--out", "model.toml"}, {"model.toml", "exists"});
   expect_refused(box, {"ensemble", "nothing.toml", "--out", "r.h5"}, {"nothing.toml"});
   box.put("model.toml", one_mass().get("model.toml"));
-  expect_refused(box, kCall, {"what is uncertain = nothing"});
+  expect_refused(box, kCall, {"uncertainty = none"});
 }
 
 // A full disk, at any size: status 1, and with room it goes on.

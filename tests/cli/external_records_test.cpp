@@ -69,8 +69,7 @@ TEST_F(ExternalRecords, AFrictionDamperWithBacklashIsNone) {
     fs::copy_file(file, box_.file("damper.csv"), fs::copy_options::overwrite_existing);
     const Outcome done = expect_done(
         box_, {"identify", "damper.csv", "--out", "joint.json", "--density-csv", "density.csv"});
-    EXPECT_LT(done.out.find("NOT A JOINT OF THIS KIND: dead_zone"), done.out.find("density"))
-        << done.out;
+    EXPECT_LT(done.out.find("NOT A MASING JOINT: dead_zone"), done.out.find("density")) << done.out;
     const json warnings = identification().at("warnings");
     EXPECT_NE(std::ranges::find(warnings, "dead_zone"), warnings.end()) << warnings;
     EXPECT_NE(box_.get("density.csv")
@@ -79,8 +78,8 @@ TEST_F(ExternalRecords, AFrictionDamperWithBacklashIsNone) {
   }
 }
 
-// One of its records does not predict the others, and what it is told by names: of the joint, and
-// of each record by itself. The force is missed by a fifth, where its noise is a thousandth.
+// One of its records does not predict the others, and the warnings give the reason: of the joint,
+// and of each record by itself. The force is missed by a fifth, where its noise is a thousandth.
 TEST_F(ExternalRecords, AFrictionDamperIsNotPredictedAndItIsSaidWhy) {
   Arguments call{"verify", "joint.json"};
   for (const char* amplitude : {"0.5", "1", "1.5"}) {
@@ -93,9 +92,10 @@ TEST_F(ExternalRecords, AFrictionDamperIsNotPredictedAndItIsSaidWhy) {
   expect_done(box_, {"identify", "sine_0.5Hz_1.5in.csv", "--out", "joint.json", "--quiet"});
   expect_done(box_, with(call, {"--out", "comparison.csv", "--quiet"}));
   const std::string text = box_.get("comparison.csv");
-  EXPECT_NE(text.find("# warning: joint_not_of_this_kind: joint.json was identified as NOT A JOINT "
-                      "OF THIS KIND: dead_zone"),
-            std::string::npos);
+  EXPECT_NE(
+      text.find("# warning: joint_not_of_this_kind: joint.json was identified as NOT A MASING "
+                "JOINT: dead_zone"),
+      std::string::npos);
   const CsvTable table(text, "comparison.csv");
   const std::vector<std::string> quantity = table.text("quantity");
   const std::vector<std::string> predicted = table.text("predicted");
@@ -114,7 +114,8 @@ TEST_F(ExternalRecords, AFrictionDamperIsNotPredictedAndItIsSaidWhy) {
   EXPECT_EQ(records, 3U);
   for (const char* amplitude : {"0.5", "1", "1.5"}) {
     const std::string warning = fmt::format(
-        "# warning: test_not_of_this_kind: sine_0.5Hz_{}in.csv: the record is NOT OF A JOINT",
+        "# warning: test_not_of_this_kind: sine_0.5Hz_{}in.csv: the record is NOT OF A MASING "
+        "JOINT",
         amplitude);
     const std::size_t at = text.find(warning);
     ASSERT_NE(at, std::string::npos) << text.substr(0, 2000);

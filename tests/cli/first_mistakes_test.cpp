@@ -50,7 +50,7 @@ TEST(FirstMistakes, InTablesOfLevels) {
        {header + "1e-5,1e-8\n2e-5,#DIV/0!\n", {"l.csv:3:6", "Correct the cell"}},
        {header + "-5.1,-8.2\n-5.0,-8.1\n", {"l.csv:2:1", "'-5.1'", "Logarithms are not taken."}},
        {"amplitude [m] dissipation [J]\n1e-5 1e-8\n",
-        {"l.csv:1:1", "Columns stand between commas, semicolons or tabs."}},
+        {"l.csv:1:1", "Separate columns by commas, semicolons or tabs."}},
        {"Test of Monday\namplitude [m],dissipation [J]\n1e-5,1e-8\n",
         {"l.csv:2:1", "lines above the header begin with '#'"}},
        {"Test of Monday\n1e-5\n",
@@ -105,7 +105,7 @@ TEST(FirstMistakes, InCalls) {
       {{"identify", "levels.csv", "--stiffness", "1,7e5", "--out", "j.json"},
        {"--stiffness = '1,7e5'", "decimal point", "Write 1.7e5."}},
       {{"loop", "joint.json", "--amplitude", "9", "um", "--out", "l.csv"},
-       {"'um' stands by itself", "without a blank"}},
+       {"'um' stands alone", "without a space"}},
       {{"frf", "model.toml", "--force", "1", "--frequency", "14-18", "--out", "f.csv"},
        {"--frequency = '14-18'", "FROM:TO", "colon"}},
       {{"frf", "model.toml", "--force", "1", "--frequency", "88rad/s:113rad/s", "--out", "f.csv"},
@@ -119,7 +119,7 @@ TEST(FirstMistakes, InCalls) {
   for (const Typed& one : all) expect_refused(box, one.call, one.parts);
 }
 
-// Told on the screen and in the file.
+// Reported on the screen and in the file.
 TEST(FirstMistakes, AJointThatMovesByMetresIsDoubted) {
   const Sandbox box = sandbox();
   for (const Arguments& call :

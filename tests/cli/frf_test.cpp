@@ -326,7 +326,7 @@ TEST(frf, DrawsItsCurveAsCloselyAsIsAsked) {
   }
 }
 
-// The same curve the other way round.
+// The same curve reversed.
 TEST(frf, GoesDownward) {
   const Sandbox box = one_mass();
   expect_done(box, frf({"--force", "0.1", "--frequency", "0.1:0.2"}));
@@ -419,7 +419,7 @@ TEST(frf, RefusesBadModels) {
   box.put("model.toml", model + "harmonics = [1, 0, 0, 0, 0, 0.1]\n");
   expect_refused(box, call, {"--harmonics = 5", "highest of the excitation, 6"});
   box.put("model.toml", model + "[response]\npoint = \"masss\"\n");
-  expect_refused(box, call, {"model.toml:19:9: response.point = 'masss'", "Is it to be 'mass'?"});
+  expect_refused(box, call, {"model.toml:19:9: response.point = 'masss'", "Did you mean 'mass'?"});
   box.put("model.toml", model);
   box.put("joint.json", "{}");
   expect_refused(box, call, {"joint.json", "schema"});
@@ -449,7 +449,7 @@ TEST(frf, MarksWhatDoesNotConverge) {
   run = box.run(frf({"--force", "0.05", "--frequency", "0.165:0.2", "--quiet"}));
   EXPECT_EQ(run.status, 3);
   EXPECT_EQ(run.out, "");
-  expect_parts(run.err, {"model.toml: not converged: ", "what was found is written and marked"});
+  expect_parts(run.err, {"model.toml: not converged: ", "the result so far is written and marked"});
 }
 
 TEST(frf, WritesNothingWhereNothingIsFound) {

@@ -145,8 +145,8 @@ TEST(identify, WritesTheBand) {
       box, identify_with({"--bands", "40", "--seed", "7", "--density-csv", "density.csv",
                           "--dissipation-gain-std", "2%", "--amplitude-gain-std", "0.01"}));
   EXPECT_TRUE(box.get("density.csv")
-                  .starts_with("# lower and upper are pointwise: the lower edge as a whole is no "
-                               "joint, nor is the upper one\nslip_force [N],density [1/N],lower "
+                  .starts_with("# lower and upper are pointwise: neither edge as a whole is the "
+                               "density of a joint\nslip_force [N],density [1/N],lower "
                                "[1/N],upper [1/N]\n"));
   IdentificationOptions options;
   options.bands = BandOptions{.samples = 40, .seed = 7, .progress = {}};
@@ -208,7 +208,7 @@ TEST(identify, KeepsDrawsApartFromOtherFiles) {
            {{"--samples", "40", "--samples-out", "-"}, "--samples-out = '-'"},
            {{"--samples", "40", "--bands", "40"}, "the same number as --samples"},
            {{"--samples", "5"}, "--samples = '5'"},
-           {{"--samples", "40", "--fit", "uniform"}, "does not go with --samples"},
+           {{"--samples", "40", "--fit", "uniform"}, "cannot be combined with --samples"},
            {{"--samples", "40", "--samples-out", "joint.json"}, "joint.json"}}) {
     const Outcome run = box.run(identify_with(more));
     EXPECT_EQ(run.status, 2) << run.out;
@@ -328,28 +328,28 @@ TEST(identify, RefusesOptionsThatReachNothing) {
     const std::string value = option == "--seed" ? "4" : "2%";
     const std::string text = fault({"--bands", "0", option, value});
     EXPECT_NE(text.find(option + " = "), std::string::npos) << text;
-    EXPECT_NE(text.find("belongs to a band, and --bands is 0"), std::string::npos) << text;
+    EXPECT_NE(text.find("requires a band, and --bands is 0"), std::string::npos) << text;
   }
   EXPECT_NE(fault({"--seed", "4"}).find("--seed = '4'"), std::string::npos);
   for (const char* method : {"spline", "differences"}) {
-    EXPECT_NE(fault({"--method", method, "--bands", "40"}).find("does not go with --bands"),
+    EXPECT_NE(fault({"--method", method, "--bands", "40"}).find("cannot be combined with --bands"),
               std::string::npos);
-    EXPECT_NE(fault({"--method", method, "--atom"}).find("does not go with --atom"),
+    EXPECT_NE(fault({"--method", method, "--atom"}).find("cannot be combined with --atom"),
               std::string::npos);
     EXPECT_NE(fault({"--method", method, "--linear-damping", "fit"})
-                  .find("does not go with --linear-damping fit"),
+                  .find("cannot be combined with --linear-damping fit"),
               std::string::npos);
   }
-  EXPECT_NE(fault({"--fit", "uniform", "--bands", "40"}).find("does not go with --bands"),
+  EXPECT_NE(fault({"--fit", "uniform", "--bands", "40"}).find("cannot be combined with --bands"),
             std::string::npos);
-  EXPECT_NE(fault({"--fit", "uniform", "--atom"}).find("does not go with --atom"),
+  EXPECT_NE(fault({"--fit", "uniform", "--atom"}).find("cannot be combined with --atom"),
             std::string::npos);
   EXPECT_NE(fault({"--smoothing-unit", "mm"}).find("--smoothing-unit"), std::string::npos);
   EXPECT_NE(fault({"--method", "differences", "--smoothing-unit", "mm"}).find("no meaning"),
             std::string::npos);
 }
 
-// k_eq 0.5 % of k above what the joint has: told, though it is too little for a warning.
+// k_eq 0.5 % of k above what the joint has: reported, though it is too little for a warning.
 TEST(identify, TellsScatterAndOffsetOfTheSecantStiffness) {
   const Sandbox box = sandbox();
   const Joint joint = sample_joint();

@@ -39,7 +39,7 @@ Sandbox sandbox() { return Sandbox{{"loops.csv", record_text(sample_loops(5, kAm
 TEST(levels, WritesTheCyclesOfLoops) {
   const Sandbox box = sandbox();
   const Outcome done = expect_done(box, kLevels);
-  for (const char* part : {"loops.csv", "cycles", "dissipation", "noise of a sample"}) {
+  for (const char* part : {"loops.csv", "cycles", "dissipation", "noise per sample"}) {
     EXPECT_NE(done.out.find(part), std::string::npos) << part << " in\n" << done.out;
   }
   const CsvTable table(box.get("levels.csv"), "levels.csv");

@@ -159,7 +159,7 @@ std::string rows(const std::string& text) {
   return result;
 }
 
-// D is told in two parts: its column of slip and linear damping, and what of it is no slip.
+// D is given in two parts: its column of slip and linear damping, and the part that is not slip.
 TEST(linear_damping, IsAColumnBesideTheDissipation) {
   const Start box("8500");
   expect_done(box, {"backbone", "model.toml", "--response", "1um:0.1mm:5", "--out", "b.csv"});
@@ -205,14 +205,14 @@ TEST(linear_damping, IsWhatTheModelSays) {
   EXPECT_EQ(rows(table("100", "8500")), rows(identified));
   const std::string left_out = table("8500", "0");
   EXPECT_EQ(rows(left_out), rows(none));
-  EXPECT_NE(left_out.find("# linear damping of 'contact': none, as the model says; identified are "
-                          "8500 J/m^2\n"),
-            std::string::npos)
-      << left_out.substr(0, 500);
   EXPECT_NE(
-      table("", "70").find("# linear damping of 'contact': 70 J/m^2 beside slip, as the model "
-                           "says\n"),
-      std::string::npos);
+      left_out.find("# linear damping of 'contact': none, as the model specifies; identified are "
+                    "8500 J/m^2\n"),
+      std::string::npos)
+      << left_out.substr(0, 500);
+  EXPECT_NE(table("", "70").find(
+                "# linear damping of 'contact': 70 J/m^2 beside slip, as the model specifies\n"),
+            std::string::npos);
 }
 
 TEST(linear_damping, IsWrittenIntoTheModelOfARig) {
@@ -228,28 +228,28 @@ TEST(linear_damping, IsWrittenIntoTheModelOfARig) {
   EXPECT_EQ(without.get("new.toml").find("linear_damping"), std::string::npos);
 }
 
-// By each way to identify with it.
+// By each method to identify with it.
 TEST(linear_damping, GoesFromIdentifyToThePrediction) {
   Levels levels = sample_levels();
   for (std::size_t i = 0; i < levels.size(); ++i) {
     levels.dissipation[i] += 8500.0 * levels.amplitude[i] * levels.amplitude[i];
   }
-  const std::vector<Arguments> ways{{}, {"--fit", "power_law"}, {"--fit", "four_parameter"}};
-  for (const Arguments& way : ways) {
+  const std::vector<Arguments> methods{{}, {"--fit", "power_law"}, {"--fit", "four_parameter"}};
+  for (const Arguments& method : methods) {
     const Start box("");
     box.put("levels.csv", levels_table(levels).str());
     const auto loss = [&](const std::string& damping) {
       Arguments call{"identify", "levels.csv", "--stiffness", "1.7e5",  "--linear-damping",
                      damping,    "--out",      "found.json",  "--quiet"};
-      call.insert(call.end(), way.begin(), way.end());
+      call.insert(call.end(), method.begin(), method.end());
       EXPECT_EQ(box.run(call).status, 0) << typed(call);
       box.put("model.toml",
               test::replaced(test::get(kExample + "model.toml"), "joint.json", "found.json"));
       expect_done(box, {"backbone", "model.toml", "--response", "1um:0.2mm:5", "--out", "b.csv"});
       return box.get("b.csv");
     };
-    EXPECT_GT(largest(loss("fit"), "linear_dissipation_contact"), 0.0) << typed(way);
-    EXPECT_EQ(loss("none").find("linear_dissipation_contact"), std::string::npos) << typed(way);
+    EXPECT_GT(largest(loss("fit"), "linear_dissipation_contact"), 0.0) << typed(method);
+    EXPECT_EQ(loss("none").find("linear_dissipation_contact"), std::string::npos) << typed(method);
   }
 }
 

@@ -207,12 +207,12 @@ TEST(load, RefusesSpectraThatMeanNothing) {
   refused(kRequired, {"--sampling-rate", "3kHz"}, "must be 4000 Hz or more");
   refused(kRequired, {"--pulse", "0.1s"}, "must be 0.15 s or more");
   refused(kRequired, {"--tolerance", "50%"}, "must be in dB");
-  refused(kRequired, {"--at", "0.4s"}, "begin of the shock");
+  refused(kRequired, {"--at", "0.4s"}, "start of the shock");
   refused(kRequired, {"--pulse", "0.6s"}, "must be 0.6 s or more, the length of the shock");
   refused(kRequired, {"--per-octave", "4"}, "must be from 6 to 48");
   refused(kRequired, {"--tolerance", "0"}, "must be from 0.1 to 12");
   refused(kRequired, {"--damping-ratio", "1"}, "damping ratio");
-  refused(kRequired, {"--peak", "1"}, "a shock does not know it");
+  refused(kRequired, {"--peak", "1"}, "it does not apply to a shock");
   refused(kRequired, {}, "must be a base for a shock",
           test::replaced(kMassOnTable, "[excitation]\nbase = \"table\"",
                          "[excitation]\npoint = \"mass\""));
@@ -236,10 +236,10 @@ TEST(load, RefusesWhatMeansNothing) {
       "asd.csv");
   refused({"load", "sine", "model.toml", "--peak", "1", "--frequency", "5", "--duration", "1",
            "--pulse", "1", "--out", "l.csv"},
-          "a sine does not know it");
+          "it does not apply to a sine");
   refused({"load", "half-sine", "model.toml", "--peak", "1", "--pulse", "11ms", "--at", "5",
            "--duration", "1", "--out", "l.csv"},
-          "begin of the half-sine");
+          "start of the half-sine");
   refused({"load", "sine", "model.toml", "--peak", "1", "--frequency", "16", "--duration", "1",
            "--sampling-rate", "16", "--out", "l.csv"},
           "must be 128 Hz or more");

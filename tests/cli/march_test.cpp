@@ -221,7 +221,7 @@ TEST(march, MarksWhatDoesNotConverge) {
   expect_parts(box.get("march.csv"), {"NOT CONVERGED: ", kHeader});
   run = box.run(march_call({"--step", "100", "--quiet"}));
   EXPECT_EQ(run.status, 3);
-  expect_parts(run.err, {"model.toml: not converged: ", "what was found is written and marked"});
+  expect_parts(run.err, {"model.toml: not converged: ", "the result so far is written and marked"});
   expect_done(box, march_call());  // with steps that fit
 }
 

@@ -165,7 +165,7 @@ TEST(measure, DoesNotMixWithAnotherTest) {
   expect_done(box, {"measure", "rig.toml", "--out", "test", "--quiet"});
   box.put("rig.toml", rig_text(3));
   expect_refused(box, {"measure", "rig.toml", "--out", "test"},
-                 {"must not hold level_04.csv, of another test"});
+                 {"must not contain level_04.csv, of another test"});
 }
 
 // Of another format, of the state before control, or of its force control.
@@ -175,7 +175,7 @@ TEST(measure, DoesNotMixWithOtherFilesOfAnotherTest) {
     std::filesystem::create_directory(box.file("test"));
     box.put("test/" + name, "level,force_before,force_after\n1,1,1\n");
     expect_refused(box, {"measure", "rig.toml", "--out", "test", "--no-shaker"},
-                   {"must not hold " + name + ", of another test"});
+                   {"must not contain " + name + ", of another test"});
   }
 }
 
@@ -188,7 +188,7 @@ TEST(measure, ReplacesOnlyFilesOfItsKinds) {
     std::filesystem::create_directory(box.file("test"));
     box.put("test/" + name, "mine [m],yours [m]\n1,1\n");
     expect_refused(box, {"measure", "rig.toml", "--out", "test", "--before-control"},
-                   {name, "exists and holds a table of 'mine, yours'"});
+                   {name, "exists and contains a table of 'mine, yours'"});
   }
 }
 
@@ -197,12 +197,12 @@ TEST(measure, ReplacesNothingThatItDidNotWrite) {
   const Sandbox box = sandbox();
   box.put("other.toml", rig_text(3));
   expect_refused(box, {"measure", "other.toml", "--out", "."},
-                 {"must not hold rig.toml that is not of a virtual test"});
+                 {"must not contain rig.toml that is not of a virtual test"});
   expect_done(box, {"measure", "rig.toml", "--out", "test", "--quiet"});
   expect_done(box, {"measure", "rig.toml", "--out", "test", "--seed", "2", "--quiet"});
   std::filesystem::remove(box.file("test/truth.csv"));
   expect_refused(box, {"measure", "rig.toml", "--out", "test"},
-                 {"must not hold level_01.csv that is not of a virtual test"});
+                 {"must not contain level_01.csv that is not of a virtual test"});
 }
 
 TEST(measure, WarnsOfAnotherStiffness) {
@@ -236,7 +236,7 @@ TEST(measure, LeavesNoOldRecordOfALevelThatIsNotFound) {
                                     "from_m_per_s2 = 30, to_m_per_s2 = 1e4"),
                              "linear", "log"));
   expect_refused(box, {"measure", "rig.toml", "--out", "test", "--no-shaker"},
-                 {"must not hold level_0", ", of another test"});
+                 {"must not contain level_0", ", of another test"});
 }
 
 TEST(measure, InterruptedLeavesNothing) {

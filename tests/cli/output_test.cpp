@@ -42,7 +42,7 @@ TEST(Output, WhereNothingCanBeWritten) {
     expect_refused(box, call("none/new.csv"), {"none/new.csv", "no folder 'none'", "Create"});
     expect_refused(box, call("folder"), {"folder", "is a folder", "Name a file in it"});
     expect_refused(box, call("."), {"is a folder"});
-    expect_refused(box, call("joint.json/new.csv"), {"joint.json/new.csv", "is no folder"});
+    expect_refused(box, call("joint.json/new.csv"), {"joint.json/new.csv", "is not a folder"});
     expect_refused(box, call("/dev/null"), {"/dev/null", "regular file", "Write to -"});
     expect_refused(box, call(""), {"''", "name of a file"});
     expect_refused(box, call(std::string(300, 'x')), {"File name too long", "shorter"});
@@ -114,8 +114,8 @@ TEST(Output, ByAUserWithoutRights) {
   expect_refused(box, dissipation_to("old.csv"), {"old.csv"}, user);
   expect_refused(box, {"demo", "--out", "closed/demo"}, {"closed/demo", "Permission denied"}, user);
   fs::permissions(box.file("joint.json"), fs::perms::none);
-  expect_refused(box, dissipation_to("-"), {"joint.json", "Permission denied", "right to read"},
-                 user);
+  expect_refused(box, dissipation_to("-"),
+                 {"joint.json", "Permission denied", "permission to read"}, user);
   fs::permissions(box.file("joint.json"), fs::perms::owner_all);
 }
 
@@ -148,7 +148,7 @@ TEST(Output, LeavesALinkALink) {
   const Sandbox box = sandbox();
   fs::create_directory(box.file("results"));
   fs::create_symlink("results/curve.csv", box.file("link.csv"));
-  expect_refused(box, dissipation_to("link.csv"), {"link.csv", "link to nothing"});
+  expect_refused(box, dissipation_to("link.csv"), {"link.csv", "broken link"});
   box.put("results/curve.csv", "");
   expect_done(box, dissipation_to("link.csv"));
   EXPECT_TRUE(fs::is_symlink(box.file("link.csv")));

@@ -74,15 +74,15 @@ TEST(plan, SaysWhatIsAtFault) {
   };
   refused({"--target", "slope"}, {"--target", "density, area or peak:MODEL.toml"});
   refused({"--target", "peak:model.toml"}, {"--force", "missing"});
-  refused({"--force", "2"}, {"--force", "belongs to --target peak"});
-  refused({"--joint", "lap"}, {"--joint", "belongs to --target peak"});
+  refused({"--force", "2"}, {"--force", "applies to --target peak"});
+  refused({"--joint", "lap"}, {"--joint", "applies to --target peak"});
   refused({"--count", "0"}, {"--count"});
   refused({"--amplitude", "300um:20um"}, {"--amplitude"});
   refused({"--amplitude", "10um:1mm"}, {"TO of --amplitude", "0.0006 m or less"});
   refused({"--range", "10:200"}, {"TO of --range", "102 N or less"});
-  refused({"--draws", "3"}, {"--draws", "1000 tell"});
+  refused({"--draws", "3"}, {"--draws", "1000 give"});
   expect_refused(box, {"plan", "few.csv", "--stiffness", "1.7e5", "--out", "next.csv"},
-                 {"few.csv", "must be 8 or more", "Begin with 8 levels"});
+                 {"few.csv", "must be 8 or more", "Start with 8 or more levels"});
   expect_refused(box, {"plan", "levels.csv", "--out", "next.csv"}, {"--stiffness", "missing"});
 }
 

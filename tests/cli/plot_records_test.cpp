@@ -69,7 +69,7 @@ TEST_F(plot_records, SaysWhichRecordIsMissing) {
   box.put("alone/joint.json", box.get("joint.json"));
   box.put("a.csv", box.get("b.csv"));
   expect_refused(box, {"plot", "alone", "--figure", "force"},
-                 {"'force'", "a.csv is not the file that joint.json was identified from"});
+                 {"'force'", "a.csv is not the file from which joint.json was identified"});
   expect_done(box, {"plot", "alone", "--figure", "force", "--record", "2", "--out", "p.svg"});
   expect_refused(box, {"plot", "alone", "--figure", "verification"}, {"verification.csv"});
 }

@@ -290,12 +290,12 @@ TEST(plot, AFolderOfFoldersNamesThem) {
   std::filesystem::create_directories(box.file("demo/none"));
   expect_refused(box, {"plot", "demo"},
                  {"input = 'demo'; holds nothing of which there is a figure.",
-                  "Name a folder that holds levels.csv, joint.json or calibration.csv"});
+                  "Name a folder with levels.csv, joint.json or calibration.csv"});
   for (const std::string name : {"b", "a"}) {
     std::filesystem::create_directory(box.file("demo/" + name));
     box.put("demo/" + name + "/levels.csv", kLevels);
   }
-  expect_refused(box, {"plot", "demo"}, {"folders in it that hold results: demo/a, demo/b.\n"});
+  expect_refused(box, {"plot", "demo"}, {"folders in it with results: demo/a, demo/b.\n"});
   expect_refused(box, {"plot", "demo", "--figure", "energies"}, {"demo/a, demo/b.\n"});
 }
 
@@ -359,20 +359,20 @@ TEST(plot, SaysWhichValueCannotBeDrawn) {
 TEST(plot, RefusesOptionsThatDoNotFit) {
   const Sandbox box = sandbox();
   expect_refused(box, {"plot", "record.csv", "--figure", "history", "--log"},
-                 {"--log", "history", "no axis of an amplitude"});
+                 {"--log", "history", "no amplitude axis"});
   // What another file of the same figure could take.
   box.put("fit.json", kJointText);
   for (const std::string file : {"loop.csv", "curve.csv"}) {
     expect_refused(box, {"plot", file, "--other", "fit.json"},
                    {"--other", "draws no other joints"});
   }
-  expect_refused(box, {"plot", "histories.csv", "--log"}, {"--log", "no axis of an amplitude"});
+  expect_refused(box, {"plot", "histories.csv", "--log"}, {"--log", "no amplitude axis"});
   expect_refused(box, {"plot", "frf.csv", "--figure", "response", "--other", "joint.json"},
                  {"--other = 'joint.json'", "draws no other joints"});
   expect_refused(box, {"plot", "levels.csv", "--figure", "energies", "--time", "0:1"},
                  {"--time = '0:1'", "cuts a history or a record, and energies is none"});
   expect_refused(box, {"plot", "record.csv", "--figure", "history", "--time", "5:6"},
-                 {"--time", "reaches from 0 to 0.3 s"});
+                 {"--time", "spans 0 to 0.3 s"});
 }
 
 TEST(plot, RefusesWhatCannotBeRead) {

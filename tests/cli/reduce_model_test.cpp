@@ -67,7 +67,7 @@ TEST(reduce_model, SaysInTheFileWhatIsNotSeen) {
 TEST(reduce_model, TakesAnAskedForMode) {
   const Sandbox box = two_joints();
   const Outcome run = expect_done(box, reduce_call(with(kAllSensors, {"--mode", "3"})));
-  EXPECT_NE(run.out.find("2 levels, 93.3986 Hz with stuck joints, as asked for"),
+  EXPECT_NE(run.out.find("2 levels, 93.3986 Hz with stuck joints, as specified"),
             std::string::npos);
   EXPECT_NE(box.get("m.csv").find("far_from_mode"), std::string::npos);
 }
@@ -82,7 +82,7 @@ TEST(reduce_model, NamesWhatIsWrong) {
   };
   refused({}, "[[accelerometer]] with channel and point, or give --sensor CHANNEL=POINT");
   refused({"--sensor", "acc1=driv"}, "--sensor acc1=driv = 'driv'; must be the name of a");
-  refused({"--sensor", "acc1=driv"}, "Is it to be 'drive'?");
+  refused({"--sensor", "acc1=driv"}, "Did you mean 'drive'?");
   refused({"--sensor", "acc1"}, "must read CHANNEL=POINT");
   refused({"--sensor", "acc9=p2"}, "low.csv: channel 'acc9' is missing");
   refused({"--sensor", "force=p2"}, "channel 'force' = force; must be acceleration");

@@ -81,7 +81,7 @@ TEST_F(report_records, SaysWhichRecordIsNotThere) {
   box.put("lab/a.csv", record_text(sample_record(2)));
   const Outcome run = box.run({"report", "lab", "--no-pictures", "--out", "-"});
   EXPECT_EQ(run.status, 0);
-  expect_parts(run.err, {"lab/a.csv is not the file that joint.json was identified from"});
+  expect_parts(run.err, {"lab/a.csv is not the file from which joint.json was identified"});
   expect_parts(run.out, {"record_changed", "No forces and no loops"});
 }
 

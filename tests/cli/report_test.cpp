@@ -64,7 +64,7 @@ TEST(report, TakesTheOptionsOfTheJoint) {
   expect_done(box, {"identify", "test/levels.csv", "--stiffness", "1.7e5", "--smoothing",
                     "lambda=0.125", "--out", "test/joint.json", "--quiet"});
   const Outcome run = expect_done(box, {"report", "test", "--out", "-", "--no-pictures"});
-  expect_parts_of(run.out, {"chosen: \\u03bb = 0.125,", "as asked for",
+  expect_parts_of(run.out, {"chosen: \\u03bb = 0.125,", "as specified",
                             "<dt>option smoothing</dt><dd>lambda=0.125</dd>"});
 }
 
@@ -318,16 +318,16 @@ TEST(report, Refuses) {
   identify_in(box);
   box.put("notes.txt", "mine");
   std::filesystem::create_directory(box.file("empty"));
-  expect_refused(box, {"report", "nowhere", "--out", "r.html"}, {"nowhere", "is no folder"});
+  expect_refused(box, {"report", "nowhere", "--out", "r.html"}, {"nowhere", "is not a folder"});
   expect_refused(box, {"report", "empty", "--out", "r.html"},
-                 {"DIR = 'empty'", "must hold levels.csv, joint.json, recordings level_*"});
+                 {"DIR = 'empty'", "must contain levels.csv, joint.json, recordings level_*"});
   expect_refused(box, {"report", ".", "--out", "r.html"}, {"There are levels in ./test."});
   std::filesystem::create_directory(box.file("alone"));
   std::filesystem::copy(box.file("test/density.csv"), box.file("alone/density.csv"));
   expect_refused(box, {"report", "alone", "--out", "r.html"}, {"DIR = 'alone'"});
   box.put("page.html", "<!doctype html><html><body>mine</body></html>");
   expect_refused(box, {"report", "test", "--out", "page.html"},
-                 {"page.html", "exists and holds an HTML page", "a report of microslip"});
+                 {"page.html", "exists and contains an HTML page", "a report of microslip"});
   expect_refused(box, {"report", "test", "--out", "notes.txt"}, {"notes.txt"});
   box.put("test/truth_joint.json", "{}");
   expect_refused(box, {"report", "test", "--out", "r.html"}, {"truth_joint.json"});

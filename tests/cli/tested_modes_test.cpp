@@ -296,11 +296,11 @@ TEST(tested_modes, OfChannelsRefuseByName) {
   const std::string csv = plain_csv(" [m/s^2/N]");
   refused("", csv, "Give channel, node and direction of each in a [[test.response]]");
   refused(all_channels() + channel_table(6, "z"), csv, "'H6'");
-  refused(all_channels() + channel_table(1, "z"), csv, "must be measured at one place");
+  refused(all_channels() + channel_table(1, "z"), csv, "must be measured at one point");
   refused(channel_table(1, "z"), csv, "must have a response to its own force");
   refused(all_channels(), plain_csv(""), "must have the unit of a motion over a force");
   refused(all_channels(), plain_csv(" [N]"), "a displacement, velocity or acceleration over");
-  refused(all_channels("unit = \"m/N\"\n"), csv, "must have no unit where one is assumed");
+  refused(all_channels("unit = \"m/N\"\n"), csv, "must have no unit if one is assumed");
   refused(all_channels("unit = \"parsec\"\n"), csv, "must be the unit of a motion over a force");
   refused(all_channels("weight = 1\n"), csv, "unknown key 'weight'");
   refused("length_unit = \"mm\"\n", csv, "test.length_unit is given");
@@ -326,8 +326,8 @@ TEST(tested_modes, RefuseByName) {
           "point[1].node = node 9; must be a node of the test. It has nodes 1 to 5");
   refused("node = 5\ndirection = \"-z\"", "node = 5\ndirection = \"x\"",
           "node 5 x; must be measured: of this node the test has z");
-  refused("joints = \"stuck\"", "", "whether joints were there in the test");
-  refused("joints = \"stuck\"", "joints = \"stuck\"\nattachment = true", "static shapes take");
+  refused("joints = \"stuck\"", "", "state of the joints in the test");
+  refused("joints = \"stuck\"", "joints = \"stuck\"\nattachment = true", "static shapes need");
   refused("[modes]\n", "[modes]\ncount = 9\n", "as count asks for");
   refused("[[joint]]", "[[base]]\nname = \"table\"\n[[joint]]", "unknown key 'base'");
   refused("node = 5\n", "row = 5\n", "unknown key 'row'");

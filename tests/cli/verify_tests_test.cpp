@@ -151,7 +151,7 @@ TEST(verifyTests, RefusesWhatDoesNotBelong) {
   refuse({"verify", "true.toml", "sweep.csv", "--kind", "loops"}, "--kind");
   refuse({"verify", "true.toml", "record.csv", "--kind", "sweep"}, "no stepped-sine table");
   refuse({"verify", "true.toml", "sweep.csv", "--histories", "h.csv"}, "--histories");
-  refuse({"verify", "true.toml", "sweep.csv", "--draws", "40"}, "what is uncertain");
+  refuse({"verify", "true.toml", "sweep.csv", "--draws", "40"}, "uncertainty");
   refuse({"verify", "true.toml", "sweep.csv", "--draws", "40", "--samples", "s.h5"}, "--samples");
   refuse({"verify", "true.toml", "record.csv", "--joint", "bolt"}, "--joint");
   refuse({"verify", "true.toml", "sweep.csv", "sweep.csv"}, "sweep.csv");
@@ -200,7 +200,7 @@ TEST(verifyTests, RefusesOptionsThatNoTestUses) {
                     "3", "--out", "c.csv"});
 }
 
-// A file of this program in the place of another is told as what it is.
+// A file of this program in the place of another is reported as what it is.
 TEST(verifyTests, TellsWhichFileStandsInThePlaceOfAnother) {
   const Sandbox box = laboratory();
   box.put("rig.toml", test::kLapRig);
@@ -223,7 +223,7 @@ TEST(verifyTests, TellsWhichFileStandsInThePlaceOfAnother) {
   refuse({"verify", "true.toml", "joint.json"}, {"a joint (joint.json)", "must be a test"});
   refuse({"verify", "rig.toml", "sweep.csv"}, {"a stepped-sine table", "must be a joint.json"});
   refuse({"verify", "rig.toml", "sweep.csv", "joint.json"},
-         {"must be named right behind rig.toml", "Name sweep.csv behind it"});
+         {"must be named directly after rig.toml", "Name sweep.csv after it"});
   refuse({"reduce", "rig.toml", "levels.csv"}, {"expected a recording", "a table of levels"});
   refuse({"reduce", "levels.csv", "sweep.csv"}, {"expected TOML", "a table of levels"});
   refuse({"identify", "true.toml", "--stiffness", "1e5"}, {"a structure with joints (model.toml)"});

@@ -115,7 +115,7 @@ TEST(watch, LeavesNoPlanOfAnEarlierJoint) {
   box.put("more_levels.csv", sample_levels_text());
   const Outcome two = box.run(call);
   EXPECT_EQ(two.status, 0) << two.err;
-  EXPECT_TRUE(says(two.out, "next: next_levels.csv was of the joint before")) << two.out;
+  EXPECT_TRUE(says(two.out, "next: next_levels.csv was for the previous joint")) << two.out;
   EXPECT_FALSE(box.has("next_levels.csv"));
   EXPECT_TRUE(box.has("joint.json"));
 }
@@ -179,7 +179,7 @@ TEST(watch, SaysWhatIsAtFault) {
   EXPECT_EQ(unknown.status, 2);
   EXPECT_TRUE(says(unknown.err, "--stiffness") && says(unknown.err, "missing")) << unknown.err;
   EXPECT_FALSE(box.has("joint.json"));
-  expect_refused(box, {"watch", "nowhere"}, {"nowhere", "is no folder"});
+  expect_refused(box, {"watch", "nowhere"}, {"nowhere", "is not a folder"});
   expect_refused(box, {"watch", ".", "--interval", "0"}, {"--interval"});
   const Sandbox empty;
   EXPECT_EQ(empty.run(with(kWatch, {"--once"})).status, 0);

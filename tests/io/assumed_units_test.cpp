@@ -102,7 +102,7 @@ TEST(AssumedUnits, RefusesWhatDoesNotFit) {
             std::string::npos);
   EXPECT_NE(fault({"acc1=g", "acc1=m/s^2"}).find("each channel once"), std::string::npos);
   EXPECT_NE(fault({"acc9=g"}).find("the recording has 'force', 'acc1'"), std::string::npos);
-  EXPECT_NE(fault({"force=N"}).find("must have no unit where one is assumed"), std::string::npos);
+  EXPECT_NE(fault({"force=N"}).find("must have no unit if one is assumed"), std::string::npos);
   EXPECT_EQ(fault({"time=s"}), "no error") << "it may be that of the axis";
 }
 

@@ -48,7 +48,7 @@ TEST(CalculixMatricesFault, IsNamedByItsPlace) {
   EXPECT_EQ(degrees("1.1\n1.7\n"),
             "d:2:1: expected a node and its direction, 12.3 or 12 z, found '1.7'");
   EXPECT_EQ(degrees("1\n"), "d:1:1: expected a node and its direction, 12.3 or 12 z, found '1'");
-  EXPECT_EQ(degrees("# none\n"), "d: expected a line a row of the matrices, found none");
+  EXPECT_EQ(degrees("# none\n"), "d: expected one line per row of the matrices, found none");
   EXPECT_EQ(message_of<FormatError>([] { return parse_triangle("1 1 1\n3 1 1\n", "k", 2); }),
             "k:2:1: expected a row from 1 to 2, found 3");
   EXPECT_EQ(message_of<FormatError>([] { return parse_triangle("", "k", 2); }),

@@ -99,20 +99,20 @@ TEST(CampaignFile, NamesWhatIsWrong) {
   expect_refused_text("= 4e5", "= -4e5", {"identification.stiffness_N_per_m", "-400000"});
   expect_refused_text("\"fit\"", "\"fitted\"", {"linear_damping", "'fitted'", "none, fit"});
   expect_refused_text("draws = 200", "draws = 1", {"draws", "1", "40", "1000 give"});
-  expect_refused_text("draws = 200", "draws = 0", {"seed", "belongs to draws"});
+  expect_refused_text("draws = 200", "draws = 0", {"seed", "requires draws"});
   expect_refused_text("_gain_std = 0.02", "_gain_std = 2.0", {"dissipation_gain_std", "0.3"});
   expect_refused_text("session = \"2\"", "session = \"1\"",
-                      {"session_offsets", "does nothing", "'1'"});
+                      {"session_offsets", "has no effect", "'1'"});
   expect_refused_text("name = \"second\"", "name = \"first\"",
                       {"test[1].name", "'first'", "another test"});
   expect_refused_text("name = \"second\"", "name = \"a/b\"", {"test[1].name", "without /"});
-  expect_refused_text("use = \"both\"", "use = \"predict\"", {"session_offsets", "does nothing"});
+  expect_refused_text("use = \"both\"", "use = \"predict\"", {"session_offsets", "has no effect"});
   expect_refused_text("use = \"both\"", "use = \"all\"",
                       {"use", "'all'", "identify, predict, both"});
   expect_refused_text("use = \"both\"\n", "", {"use"});
   expect_refused_text("torque_Nm =", "\"torque [Nm]\" =", {"torque [Nm]", "letters"});
   expect_refused_text("edges = \"none\"", "forcing = \"modal\"",
-                      {"identification.forcing", "belongs to joints of a model", "model ="});
+                      {"identification.forcing", "applies to joints of a model", "model ="});
   expect_refused_text("\"tests\"", "\"modes\"", {"leave_one_out", "none, tests, levels"});
   expect_refused_text("torque_Nm = 20.5", "torque_Nm = [1, 2]", {"torque_Nm", "a number"});
 }
@@ -176,7 +176,7 @@ TEST(CampaignFile, NamesWhatIsWrongOfAModel) {
   refused("mode = 2", "mode = 0", {"mode", "1 or more"});
   refused("name = \"blow\"", "name = \"modal\"", {"test[0].name", "modal_levels.csv"});
   refused("kind = \"ringdown\"\nmode = 2", "kind = \"loops\"",
-          {"kind", "one joint", "identify finds"});
+          {"kind", "one joint", "identify identifies"});
 }
 
 const std::string kKinds = R"(schema = "microslip.campaign/1"
@@ -233,14 +233,14 @@ TEST(CampaignFile, RefusesKeysOfAnotherKind) {
     expect_refused_text(before, after, parts, kKinds);
   };
   refused("\"ringdown\"", "\"hammer\"", {"test[0].kind", "'hammer'", "ringdown, loops"});
-  refused("\"ringdown\"", "\"loops\"", {"sensors", "belongs to kind = \"ringdown\"", "\"loops\""});
-  refused("kind = \"loops\"\n", "", {"force", "belongs to kind = \"loops\"", "not given"});
+  refused("\"ringdown\"", "\"loops\"", {"sensors", "applies to kind = \"ringdown\"", "\"loops\""});
+  refused("kind = \"loops\"\n", "", {"force", "applies to kind = \"loops\"", "not given"});
   refused("kind = \"constant-response\"", "kind = \"sweep\"\nmode = 1", {"mode", "ringdown"});
   refused("mode = 1", "mode = 2", {"mode", "must be 1 to identify from"});
   refused("mode = 1", "mode = 0", {"mode", "1 or more"});
   refused("use = \"predict\"\nkind = \"constant-response\"",
-          "use = \"identify\"\nkind = \"constant-response\"", {"kind", "does nothing"});
-  refused("{ acc2 = \"tip\", acc1 = \"drive\" }", "{}", {"sensors", "a channel at least"});
+          "use = \"identify\"\nkind = \"constant-response\"", {"kind", "has no effect"});
+  refused("{ acc2 = \"tip\", acc1 = \"drive\" }", "{}", {"sensors", "at least one channel"});
   refused("acc2=g", "acc2=furlong", {"assume_units", "furlong"});
   refused("20.5", "nan", {"torque_Nm", "finite"});
 }

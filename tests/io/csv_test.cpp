@@ -210,7 +210,7 @@ TEST(CsvFault, DuplicateColumns) {
 TEST(CsvFault, MissingColumn) {
   EXPECT_EQ(fault("# c\nA [m],a (left)\n1,2\n"),
             "t.csv:2:1: expected a column 'a [m]', found the columns 'A, a (left)'. Names are "
-            "case-sensitive; a unit stands in square brackets.");
+            "case-sensitive; write units in square brackets.");
 }
 
 TEST(CsvFault, NoUnit) {

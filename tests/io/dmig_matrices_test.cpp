@@ -106,18 +106,16 @@ TEST(DmigMatrices, AreChosenByName) {
   const auto refused = [](const std::string& text, const std::string& name) {
     return message_of<InputError>([&] { return parse(text, name); });
   };
-  EXPECT_EQ(
-      refused(two, ""),
-      "m.pch = 2 matrices K…; must have one whose name begins so, or be named behind a colon. "
-      "It has KAAX, KBAX, MAAX, VAX.");
+  EXPECT_EQ(refused(two, ""),
+            "m.pch = 2 matrices K…; must have one whose name begins so, or be named after a colon. "
+            "It has KAAX, KBAX, MAAX, VAX.");
   EXPECT_EQ(parse(two, "kaax").stiffness.size, 3U);
   EXPECT_EQ(refused(two, "KCAX"),
             "m.pch = no matrix KCAX; must be one of the file. It has KAAX, KBAX, MAAX, VAX.");
   const std::size_t head = kWide.find('\n', kWide.find("KAAX")) + 1;
-  EXPECT_EQ(
-      refused(kWide.substr(head), ""),
-      "m.pch = 0 matrices K…; must have one whose name begins so, or be named behind a colon. "
-      "It has KAAX (without a header), MAAX, VAX.");
+  EXPECT_EQ(refused(kWide.substr(head), ""),
+            "m.pch = 0 matrices K…; must have one whose name begins so, or be named after a colon. "
+            "It has KAAX (without a header), MAAX, VAX.");
   EXPECT_EQ(refused(kWide, "VAX"),
             "m.pch: VAX = of form 9; must be of form 6, symmetric, or 1, square");
 }
@@ -149,7 +147,7 @@ TEST(DmigMatrices, NameWhatIsWrong) {
                  "*                     12               3-2.000000000D+00\n"
                  "*                     40               0 6.000000000D+00\n",
                  ""),
-            "m.pch: KAAX = 2 columns; must have 3, as its header says. Is the file cut?");
+            "m.pch: KAAX = 2 columns; must have 3, as its header states. Is the file truncated?");
   EXPECT_EQ(with("*                     40               0 6.0",
                  "*                      "
                  "                0 6.0"),
@@ -161,8 +159,8 @@ TEST(DmigMatrices, NameWhatIsWrong) {
            "                      1\nDMIG*   VAX                            1               0\n*"
            "                      7               1 1.000000000D+00\n",
            "12               3 3.0"),
-      "m.pch:14:1: expected an end of line behind the last entry, found the end of the file: "
-      "is it cut?");
+      "m.pch:14:1: expected an end of line after the last entry, found the end of the file: is it "
+      "truncated?");
   EXPECT_EQ(with("\n*                     40", "\n*\t                     40"),
             "m.pch:10:2: expected fields of 8 columns, found a tab");
 }
@@ -194,8 +192,8 @@ TEST(DmigMatrices, OfOneTriangleAreNoSquareOnes) {
 TEST(DmigMatrices, NamesOfAnySortLeaveTheMessageALine) {
   const std::string text = "DMIG,KAAX,0,1,2\nDMIG,KAAX,7,1,,7,1,4.,,\nDMIG,X\x01\x7F,7,1,,7,1,2.\n";
   EXPECT_EQ(message_of<InputError>([&] { return parse(text); }),
-            "m.pch = 0 matrices M…; must have one whose name begins so, or be named behind a "
-            "colon. It has KAAX, X??.");
+            "m.pch = 0 matrices M…; must have one whose name begins so, or be named after a colon. "
+            "It has KAAX, X??.");
 }
 
 // Found by scripts/fuzz: names of any length and number made messages of many lines' length.
@@ -206,8 +204,8 @@ TEST(DmigMatrices, NamesLeaveTheMessageShort) {
   std::string many;
   for (int i = 0; i < 12; ++i) many += fmt::format("DMIG,X{:02},7,1,,7,1,2.,,\n", i);
   EXPECT_EQ(message_of<InputError>([&] { parse(many); }),
-            "m.pch = 0 matrices K…; must have one whose name begins so, or be named behind a "
-            "colon. It has X00, X01, X02, X03, X04, X05, X06, X07, X08, X09 and 2 more.");
+            "m.pch = 0 matrices K…; must have one whose name begins so, or be named after a colon. "
+            "It has X00, X01, X02, X03, X04, X05, X06, X07, X08, X09 and 2 more.");
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ TEST(EnsemblePlan, ReadsDesignsOfARig) {
   }
   for (const auto& [by, told] : std::vector<std::pair<std::string, std::string>>{
            {"[\"acc1\"]", "must be an array of arrays"},
-           {"[]", "must have a choice"},
+           {"[]", "must have at least one choice"},
            {"[[\"a\"], [\"a\"]]", "sensors[1] = [a]; must differ"},
            {"[[1]]", "sensors[0][0]"}}) {
     const std::string text = test::replaced(kRigDesign, "[[\"acc1\", \"ldv\"], [\"acc1\"]]", by);
@@ -204,7 +204,7 @@ TEST(EnsemblePlan, NamesAWrongValue) {
       {kBootstrap, "count = 50", "count = 50\nresample = \"x\"",
        "must be one of residuals, levels"},
       {kBootstrap, "count = 50", "count = 50\npoints = 1", "must be from 2"},
-      {kDesign, "[10, 20]", "[]", "must have a number"},
+      {kDesign, "[10, 20]", "[]", "must have at least one number"},
       {kDesign, "[10, 20]", "[3]", "levels[0] = 3"},
       {kDesign, "[10, 20]", "[10.5]", "must be a whole number"},
       {kDesign, "[0.01]", "[0]", "noise[0] = 0"},

@@ -203,11 +203,11 @@ TEST_F(Hdf5Recording, SaysWhatToAddWithoutSamplingRate) {
     OtherFile file(path_);
     file.dataset<double>("x", H5T_NATIVE_DOUBLE, {2}, {1, 2});
   }
-  EXPECT_EQ(message(),
-            path_ +
-                ":/x: expected a sampling rate, found none. Add the attribute fs [Hz] to "
-                "the dataset, to a group that it lies in or to the file, or a dataset "
-                "'time' [s] beside it.");
+  EXPECT_EQ(
+      message(),
+      path_ +
+          ":/x: expected a sampling rate, found none. Add the attribute fs [Hz] to the dataset, to "
+          "a group that contains it or to the file, or a dataset 'time' [s] next to it.");
 }
 
 TEST_F(Hdf5Recording, WarnsOfAnUnknownUnit) {

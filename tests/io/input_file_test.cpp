@@ -58,7 +58,7 @@ TEST(InputFileFault, Missing) {
   EXPECT_EQ(message_of<FileError>([] { return read_file(""); }),
             ": cannot be read: No such file or directory. Check the path.");
   EXPECT_EQ(message_of<FileError>([] { return read_file(std::string("a\0b", 3)); }),
-            "a: cannot be read: the path holds a zero byte");
+            "a: cannot be read: the path contains a zero byte");
 }
 
 TEST(InputFileFault, Folder) {
@@ -80,9 +80,8 @@ TEST(InputFileFault, NotPermitted) {
   put(folder.file("f"), "x");
   std::filesystem::permissions(folder.file("f"), std::filesystem::perms::none);
   const test::Unprivileged unprivileged;
-  EXPECT_EQ(
-      message_of<FileError>([&] { return read_file(folder.file("f")); }),
-      folder.file("f") + ": cannot be read: Permission denied. Ask for the right to read it.");
+  EXPECT_EQ(message_of<FileError>([&] { return read_file(folder.file("f")); }),
+            folder.file("f") + ": cannot be read: Permission denied. Get permission to read it.");
 }
 
 TEST(InputFileFault, TooLarge) {

@@ -218,7 +218,7 @@ TEST(JointFileFault, HugeIntegersAreNumbers) {
 TEST(JointFileFault, DeepNesting) {
   const std::string deep = std::string(100000, '[') + std::string(100000, ']');
   const std::string expected =
-      "joint.json: expected at most 64 objects and arrays in each other, found more";
+      "joint.json: expected at most 64 nested objects and arrays, found more";
   EXPECT_EQ(fault(deep), expected);
   EXPECT_EQ(fault(with_density(deep)), expected);
   std::string objects;
@@ -245,17 +245,17 @@ TEST(JointFileFault, Schema) {
       "joint, and of this version of the program?");
   EXPECT_EQ(fault(R"({"stiffness": 1})"),
             "joint.json: expected the key 'schema' at the top, found the keys 'stiffness'. It "
-            "says what the file is: docs/file_formats.md has it for each.");
+            "states the kind of the file: see docs/file_formats.md.");
 }
 
 TEST(JointFileFault, UnknownKey) {
   EXPECT_EQ(fault(R"({"schema": "microslip.joint/1", "stiffness": 1})"),
             "joint.json: expected at the top the keys schema, stiffness_N_per_m, density, "
-            "provenance, identification, found the unknown key 'stiffness'. Is it to be "
+            "provenance, identification, found the unknown key 'stiffness'. Did you mean "
             "'stiffness_N_per_m'?");
   EXPECT_EQ(fault(with_density(R"([{"type": "uniform", "form_N": 0, "to_N": 5, "weight": 1}])")),
             "joint.json: expected in density[0] the keys type, from_N, to_N, weight, found the "
-            "unknown key 'form_N'. Is it to be 'from_N'?");
+            "unknown key 'form_N'. Did you mean 'from_N'?");
 }
 
 TEST(JointFileFault, MissingKey) {

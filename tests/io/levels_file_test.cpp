@@ -127,7 +127,7 @@ TEST(LevelsFile, LeavesOrderRepetitionAndNumberToTheIdentification) {
 TEST(LevelsFileFault, ValuesThatBreakARule) {
   EXPECT_EQ(fault("amplitude [um],dissipation [J]\n1,2\n-1,2\n"),
             "levels.csv:3:1: expected a number above 0 in column 1 'amplitude [um]', found '-1'. A "
-            "level without motion tells nothing: remove the row. Logarithms are not taken.");
+            "level without motion has no information: remove the row. Logarithms are not taken.");
   EXPECT_NE(fault("amplitude [um],dissipation [J]\n0,2\n").find("levels.csv:2:1"),
             std::string::npos);
   EXPECT_EQ(fault("amplitude [um],dissipation [J]\n1,-2e-9\n"),

@@ -76,12 +76,12 @@ TEST_P(MatValueOfVersion5, NamesWhatExistsWhereAPathFails) {
   EXPECT_EQ(message("force.x"),
             "variable = 'force.x'; must be there; 'force' is real numbers of 3 × 1");
   EXPECT_EQ(message("nested.channels.values"),
-            "variable = 'nested.channels.values'; must say which element of 'nested.channels': it "
+            "variable = 'nested.channels.values'; must specify an element of 'nested.channels': it "
             "has 2, (1) to (2)");
   EXPECT_EQ(message("nested.channels(3).values"),
-            "variable = 'nested.channels(3).values'; must have an index that is there; "
+            "variable = 'nested.channels(3).values'; must have an existing index; "
             "'nested.channels' is a struct of 1 × 2 with 'name', 'unit', 'values'");
-  EXPECT_NE(message("nested.channels(0).values").find("an index that is there"), std::string::npos);
+  EXPECT_NE(message("nested.channels(0).values").find("an existing index"), std::string::npos);
   EXPECT_NE(message("nested.channels(x)").find("a whole number"), std::string::npos);
   EXPECT_NE(message("nested.channels(1").find("close its brackets"), std::string::npos);
   EXPECT_NE(message("nested..fs").find("as in MATLAB"), std::string::npos);

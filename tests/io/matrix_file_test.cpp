@@ -124,17 +124,16 @@ TEST_F(MatrixFile, OfEachFormatHasTheSameEntries) {
 
 TEST_F(MatrixFile, NamesWhatIsWrong) {
   write_matlab(folder_.file("k.mat"), MAT_FT_MAT5);
-  EXPECT_EQ(
-      fault("k.mat"),
-      "k.mat = 2 matrices; must be one; there is 'F', 'S'. Name one behind a colon, k.mat:F.");
+  EXPECT_EQ(fault("k.mat"),
+            "k.mat = 2 matrices; must be one; there is 'F', 'S'. Name one after a colon, k.mat:F.");
   EXPECT_NE(fault("k.mat:G").find("must be there; the file has 'F', 'S'"), std::string::npos);
   write_matlab(folder_.file("nan.mat"), MAT_FT_MAT5, std::nan(""));
   EXPECT_EQ(fault("nan.mat:F"), "nan.mat:F: entry (3, 3) = nan; must be finite");
   write_matlab(folder_.file("bad.mat"), MAT_FT_MAT5, 5.0, {0, 2, 0, 1, 2});
-  EXPECT_NE(fault("bad.mat:S")
-                .find("as the matrix must be symmetric. Where one triangle alone is "
-                      "stored, store both."),
-            std::string::npos);
+  EXPECT_NE(
+      fault("bad.mat:S")
+          .find("as the matrix must be symmetric. If only one triangle is stored, store both."),
+      std::string::npos);
   for (const mat_ft version : {MAT_FT_MAT5, MAT_FT_MAT73}) {
     write_matlab(folder_.file("far.mat"), version, 5.0, {0, 1, 0, 1, 7});
     EXPECT_NE(fault("far.mat:S").find("a row 8 of 3"), std::string::npos);

@@ -73,7 +73,7 @@ TEST(MatrixMarketFault, IsNamedByItsPlace) {
   EXPECT_EQ(
       format_fault(kHead + "2 2 1000000000\n1 1 4\n"),
       "k.mtx:2:15: expected a number of entries that the file has room for, found 1000000000, "
-      "where 1 fit at most. The file is cut, or its header wrong.");
+      "where 1 fit at most. The file is truncated, or its header is wrong.");
   EXPECT_EQ(format_fault(kHead + "99999999999 2 1\n1 1 4\n"),
             "k.mtx:2:1: expected a number of rows from 1 to 20000000, found 99999999999");
   EXPECT_EQ(
@@ -92,14 +92,14 @@ TEST(MatrixMarketFault, IsNamedByItsPlace) {
   EXPECT_EQ(format_fault(kHead + "2 2 1\n1 1 4\n2 2 4\n"),
             "k.mtx:4:1: expected the end of the file after 1 entries, found '2 2 4'");
   EXPECT_EQ(input_fault(kHead + "2 3 1\n1 1 4\n"),
-            "k.mtx: columns = 3; must be 2, as there are rows");
+            "k.mtx: columns = 3; must be 2, the number of rows");
   EXPECT_EQ(input_fault(kHead + "3 3 2\n2 1 4\n1 3 4\n"),
-            "k.mtx: entry (1, 3) = 4; must lie in the lower triangle, as those before it. Of a "
-            "symmetric matrix one triangle is stored.");
+            "k.mtx: entry (1, 3) = 4; must lie in the lower triangle, as those before it. Only one "
+            "triangle of a symmetric matrix is stored.");
   EXPECT_EQ(
       input_fault(kWhole + "2 2 4\n1 1 4\n2 2 4\n1 2 3\n2 1 3.1\n"),
       "k.mtx: entry (2, 1) = 3.1; must be that of (1, 2), 3, as the matrix must be symmetric. "
-      "Where one triangle alone is stored, the file must say so.");
+      "If only one triangle is stored, the file must state so.");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(ModalLevelsFile, NamesWhatIsWrong) {
   expect("m.csv:3", head + "1,1e-6,1e-9\n2,0,1e-9\n");
   expect("m.csv:2", head + "1,1e-6,-1e-9\n");
   expect("'dissipation [J]' or 'damping_ratio [1]'", "mode [1],displacement [m]\n1,1e-6\n");
-  expect("Is it to be amplitude_lap?",
+  expect("Did you mean amplitude_lap?",
          "mode [1],displacement [m],dissipation [J],amplitude_lapp [m]\n1,1e-6,1e-9,1e-6\n");
   expect("columns of joints of the model: lap, foot",
          "mode [1],displacement [m],dissipation [J],dissipation_1 [J]\n1,1e-6,1e-9,1e-6\n");

@@ -208,7 +208,7 @@ TEST(ModelFile, AJointToBeFoundHasAStiffnessAndNoFile) {
   EXPECT_EQ(spring.density().total().zeroth, 0.0);
   EXPECT_TRUE(folder.parse(kText, JointsToFind::kAllowed).to_find.empty());
 
-  expect_contains(folder.message(text), "Find it first, by calibrate", text);
+  expect_contains(folder.message(text), "Identify it first with calibrate", text);
   const std::string both =
       edited(kText, "file = \"b.json\"", "file = \"b.json\"\nstiffness_N_per_m = 9e5");
   expect_contains(folder.message(both), "expected file or stiffness_N_per_m, found both", both);
@@ -240,7 +240,7 @@ TEST(ModelFile, MayTellTheChannelsOfRecordings) {
   refused("\"acc2\"", "\"acc1\"", "accelerometer[1].channel = 'acc1'; must be a channel");
   refused("\"acc2\"", "\"force\"", "accelerometer[1].channel = 'force'");
   refused("\"acc2\"", "\"\"", "accelerometer[1].channel");
-  refused("\"acc2\"\npoint = \"root\"", "\"acc2\"\npoint = \"rot\"", "Is it to be 'root'?");
+  refused("\"acc2\"\npoint = \"root\"", "\"acc2\"\npoint = \"rot\"", "Did you mean 'root'?");
   refused("\"acc2\"\n", "\"acc2\"\nposition_m = 1\n", "position_m");
   refused("channel = \"acc1\"\n", "", "channel");
 }
@@ -304,7 +304,7 @@ TEST(ModelFileFault, EachMisspeltKey) {
     text.insert(pair.start + 1, "x");
     const std::string found = folder.message(text);
     expect_contains(found, fmt::format("model.toml:{}:", pair.line), text);
-    expect_contains(found, fmt::format("Is it to be '{}'?", pair.key), text);
+    expect_contains(found, fmt::format("Did you mean '{}'?", pair.key), text);
   }
 }
 
@@ -402,13 +402,11 @@ TEST(ModelFileFault, Residual) {
        "model.toml:5:22: structure.static_attachments = 2; must be below the number of modes, 2"},
       {"[50, 120.5]", "[120.5, 50]\nstatic_attachments = 1",
        "model.toml:4:22: structure.static_attachments = 1; must be of the last modes, which must "
-       "lie "
-       "above the others"},
+       "be above the others in frequency"},
       {"[[structure.point]]",
        with("static_attachments = 1\n[structure.residual]\ncompliance_m_per_N = [1]\n"),
-       "model.toml:6:1: structure.residual = beside static_attachments; must not be there: what "
-       "the "
-       "modes leave out would count twice"},
+       "model.toml:6:1: structure.residual = given with static_attachments; must not be given: the "
+       "residual would count twice"},
   });
 }
 
@@ -417,9 +415,9 @@ TEST(ModelFileFault, Structure) {
       {"[50, 120.5]", "[50, -1]",
        "model.toml:3:21: structure.frequency_Hz[1] = -1; must be from 0 to 1e+09"},
       {"[50, 120.5]", "[]",
-       "model.toml:3:16: structure.frequency_Hz = 0 values; must have one a mode, 1 at least"},
+       "model.toml:3:16: structure.frequency_Hz = 0 values; must have one per mode, at least 1"},
       {"[1e-3, 2e-3]", "[1e-3, 2e-3, 3e-3]",
-       "model.toml:4:17: structure.damping_ratio = 3 values; must have 2, one a mode of "
+       "model.toml:4:17: structure.damping_ratio = 3 values; must have 2, one per mode of "
        "structure.frequency_Hz, or 1 for all"},
       {"damping_ratio = [1e-3, 2e-3]\n", "",
        "model.toml:3:16: expected in structure one of the keys damping_ratio and loss_factor, "
@@ -428,11 +426,11 @@ TEST(ModelFileFault, Structure) {
        "model.toml:5:15: expected in structure one of the keys damping_ratio and loss_factor, "
        "found both"},
       {"[1.5, -0.5]", "[1.5]",
-       "model.toml:7:9: structure.point[0].shape = 1 value; must have 2, one a mode of "
+       "model.toml:7:9: structure.point[0].shape = 1 value; must have 2, one per mode of "
        "structure.frequency_Hz"},
       {"[1.5, -0.5]", "[0, 1e-12]",
-       "model.toml:7:9: structure.point[0].shape = 0 in all modes; must be 1e-09 or more in one "
-       "mode at least"},
+       "model.toml:7:9: structure.point[0].shape = 0 in all modes; must be 1e-09 or more in at "
+       "least one mode"},
       {"\"root\"", "\"tip\"",
        "model.toml:9:8: structure.point[1].name = 'tip'; must differ from structure.point[0].name"},
       {"\"root\"", "\"root [m]\"",
@@ -455,11 +453,11 @@ TEST(ModelFileFault, Joints) {
       {"1e5\n", "-1e5\n",
        "model.toml:15:27: joint[0].spring_in_modes_N_per_m = -100000; must be from 0 to 1e+15"},
       {"[0, -0.4]", "[0, 0]",
-       "model.toml:20:9: joint[1].shape = 0 in all modes; must be 1e-09 or more in one mode at "
-       "least"},
+       "model.toml:20:9: joint[1].shape = 0 in all modes; must be 1e-09 or more in at least one "
+       "mode"},
       {"[3, 0.5, 0.5, 4]", "[3, 0.5, 4]",
        "model.toml:17:23: joint[0].shortening_per_kg_m = 3 values; must have 4, the rows of a "
-       "symmetric matrix with one row a mode"},
+       "symmetric matrix with one row per mode"},
       {"[3, 0.5, 0.5, 4]", "[3, 0.5, 0.6, 4]",
        "model.toml: shortening[1, 0] of joint 'left' = 0.6; must be that of [0, 1], 0.5"},
       {"\"b.json\"", "\"c.json\"",
@@ -475,9 +473,9 @@ TEST(ModelFileFault, Joints) {
        "without control characters"},
       {"[[joint]]\nname", "[joint]\nname",
        "model.toml:18:1: expected TOML, found '[[joint]]'. The parser says 'Error while parsing "
-       "table header: cannot redefine existing table 'joint' as array-of-tables'. A text stands in "
-       "quotes, a number has a decimal point and no unit, a key stands once in its table; each of "
-       "several tables is a [[table]]."},
+       "table header: cannot redefine existing table 'joint' as array-of-tables'. Quote strings; "
+       "write numbers with a decimal point and no unit; give each key once per table; write "
+       "[[table]] for each of several tables."},
   });
 }
 
@@ -496,19 +494,20 @@ TEST(ModelFileFault, ExcitationAndResponse) {
   expect_faults({
       {"point = \"tip\"", "point = \"tipp\"",
        "model.toml:22:9: excitation[0].point = 'tipp'; must be the name of a point: "
-       "'tip, root'. Is it to be 'tip'?"},
+       "'tip, root'. Did you mean 'tip'?"},
       {"[response]\npoint = \"root\"", "[response]\npoint = \"engine\"",
        "model.toml:28:9: response.point = 'engine'; must be the name of a point: "
        "'tip, root'"},
       {"[1.0, 0.05]", "[0, 0]",
-       "model.toml:23:13: excitation[0].harmonics = no harmonic; must have one that is not 0"},
+       "model.toml:23:13: excitation[0].harmonics = no harmonic; must have at least one that is "
+       "not 0"},
       {"[0, 1.2]", "[0]",
        "model.toml:24:13: excitation[0].phase_rad = 1 value; must have 2, one a harmonic"},
   });
   const ModelFolder folder;
   const std::string head = kText.substr(0, kText.find("[[excitation]]"));
   EXPECT_EQ(folder.message(edited(head, "[structure]", "excitation = []\n[structure]")),
-            "model.toml:2:14: excitation = an empty array; must have one excitation at least. "
+            "model.toml:2:14: excitation = an empty array; must have at least one excitation. "
             "Write [excitation] with point.");
   EXPECT_EQ(folder.message(edited(head, "[structure]", "excitation = \"tip\"\n[structure]")),
             "model.toml:2:14: excitation = 'tip'; must be an array of tables. Write "

@@ -119,10 +119,11 @@ TEST(OutputFiles, WritesBehindALink) {
 TEST(OutputFilesFault, AnotherKind) {
   const test::TemporaryFolder folder;
   put(folder.file("levels.csv"), kLevelsText);
-  EXPECT_EQ(fault(folder.file("levels.csv"), kJointText),
-            folder.file("levels.csv") +
-                ": exists and holds a table of levels; it would be replaced by microslip.joint/1. "
-                "Remove it or choose another name.");
+  EXPECT_EQ(
+      fault(folder.file("levels.csv"), kJointText),
+      folder.file("levels.csv") +
+          ": exists and contains a table of levels; it would be replaced by microslip.joint/1. "
+          "Remove it or choose another name.");
   EXPECT_EQ(get(folder.file("levels.csv")), kLevelsText);
   EXPECT_EQ(folder.names(), Names{"levels.csv"}) << "no temporary is left";
   put(folder.file("notes"), "My notes.\n1 2 3\n");
@@ -137,25 +138,25 @@ TEST(OutputFilesFault, Folder) {
   fs::create_directory(folder.file("d"));
   EXPECT_EQ(fault(folder.file("d"), kLevelsText),
             folder.file("d") + ": is a folder and cannot be replaced. Name a file in it.");
-  EXPECT_NE(fault("", kLevelsText).find("is no name of a file"), std::string::npos);
+  EXPECT_NE(fault("", kLevelsText).find("is not a file name"), std::string::npos);
 }
 
 TEST(OutputFilesFault, SpecialFile) {
   EXPECT_EQ(
       fault("/dev/null", kLevelsText),
-      "/dev/null: is no regular file and cannot be replaced. Write to - and redirect standard "
+      "/dev/null: is not a regular file and cannot be replaced. Write to - and redirect standard "
       "output.");
 }
 
 TEST(OutputFilesFault, NoFolder) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(fault(folder.file("no/levels.csv"), kLevelsText),
-            folder.file("no/levels.csv") + ": cannot be written: there is no folder '" +
+            folder.file("no/levels.csv") + ": cannot be written: there is not a folder '" +
                 folder.file("no") + "'. Create it first.");
   put(folder.file("f"), "");
   EXPECT_EQ(fault(folder.file("f/levels.csv"), kLevelsText),
             folder.file("f/levels.csv") + ": cannot be written: '" + folder.file("f") +
-                "' is no folder. Choose another name.");
+                "' is not a folder. Choose another name.");
 }
 
 TEST(OutputFilesFault, Unwritable) {
@@ -180,7 +181,7 @@ TEST(OutputFilesFault, NotPermitted) {
   const test::Unprivileged unprivileged;
   EXPECT_EQ(fault(folder.file("levels.csv"), kOtherLevels),
             folder.file("levels.csv") +
-                ": is closed to writing. Choose another name or change its permissions.");
+                ": is not writable. Choose another name or change its permissions.");
 }
 
 TEST(OutputFilesFault, DeviceFull) {
@@ -201,8 +202,8 @@ TEST(OutputFilesFault, DeviceFull) {
   ::close(before);
   std::fclose(full);
   EXPECT_EQ(message,
-            "standard output: cannot be written: No space left on device. Make room, or choose "
-            "another folder.");
+            "standard output: cannot be written: No space left on device. Free some space, or "
+            "choose another folder.");
   EXPECT_EQ(folder.names(), Names{}) << "all or none";
 }
 
@@ -210,7 +211,7 @@ TEST(OutputFilesFault, LinkToNothing) {
   const test::TemporaryFolder folder;
   fs::create_symlink("nothing", folder.file("link"));
   EXPECT_EQ(fault(folder.file("link"), kLevelsText),
-            folder.file("link") + ": is a link to nothing. Remove it or choose another name.");
+            folder.file("link") + ": is a broken link. Remove it or choose another name.");
 }
 
 TEST(OutputFiles, WritesSeveralTogether) {
@@ -277,7 +278,7 @@ TEST(OutputFiles, StagesForOtherWriters) {
   EXPECT_EQ(get(folder.file("picture.png")), "\x89PNG\r\n\x1A\n...");
   OutputFiles again;
   put(again.stage(folder.file("picture.png")), kJointText);
-  EXPECT_NE(message_of<FileError>([&] { return again.commit(), 0; }).find("holds a PNG picture"),
+  EXPECT_NE(message_of<FileError>([&] { return again.commit(), 0; }).find("contains a PNG picture"),
             std::string::npos);
 }
 

@@ -35,7 +35,7 @@ void expect_damaged(const std::string& what, const std::string& number = "",
                     const std::string& how = "fails") {
   EXPECT_EQ(message_of<FormatError>([&] { return run(what, number); }),
             "a.h5: expected a whole HDF5 file, found one on which the HDF5 library " + how +
-                ". The file is damaged; save or copy it anew.");
+                ". The file is damaged; save or copy it again.");
 }
 
 class ReadingProcessTest : public ::testing::Test {
@@ -90,9 +90,7 @@ TEST_F(ReadingProcessTest, IsCancelledByTheTerminal) {
   }
 }
 
-TEST_F(ReadingProcessTest, RefusesWhatRunsForEver) {
-  expect_damaged("work", "", "does not come to an end");
-}
+TEST_F(ReadingProcessTest, RefusesWhatRunsForEver) { expect_damaged("work", "", "does not end"); }
 
 TEST_F(ReadingProcessTest, BoundsTheMemory) {
   if (test::kSanitized) {
@@ -155,8 +153,8 @@ TEST_F(ReadingProcessTest, OfHdf5IsOfTheSameVersion) {
               return read_in_process<Recordings>(
                   {find_hdf5_reader(), "0.0.0", "recordings", "a.h5"}, "a.h5", {});
             }),
-            "a.h5: cannot be read: microslip-hdf5-reader is of another version. Install microslip "
-            "and its library anew, together.");
+            "a.h5: cannot be read: microslip-hdf5-reader is of another version. Reinstall "
+            "microslip and its library together.");
 }
 
 TEST_F(ReadingProcessTest, OfHdf5CanBeElsewhere) {

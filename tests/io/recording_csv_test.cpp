@@ -151,7 +151,7 @@ TEST(RecordingCsv, TakesAUnitThatIsAssumedForTheAxis) {
   const std::string text = "T,force\n0,1\n500,2\n";
   EXPECT_EQ(fault(text),
             "r.csv:1:1: expected a unit of time for column 1, found 'T' without one. "
-            "Write 'T [s]', or say it with `assume_units T=s`.");
+            "Write 'T [s]', or give `assume_units T=s`.");
   EXPECT_EQ(read(text, {.assumed_units = assumed({"T=ms"})}).axis.step, 0.5);
   const Recording si = read(text, {.assumed_units = assumed({"SI"})});
   EXPECT_EQ(si.axis.step, 500.0);
@@ -159,7 +159,7 @@ TEST(RecordingCsv, TakesAUnitThatIsAssumedForTheAxis) {
   EXPECT_NE(fault(text, {.assumed_units = assumed({"T=N"})}).find("must be one of time"),
             std::string::npos);
   EXPECT_NE(fault("T [s],a\n0,1\n1,2\n", {.assumed_units = assumed({"T=s"})})
-                .find("must have no unit where one is assumed"),
+                .find("must have no unit if one is assumed"),
             std::string::npos);
 }
 
@@ -227,7 +227,7 @@ TEST(RecordingCsvCut, WithinARow) {
   const std::string text = "time [s],a [N]\n0,1\n1,2\n2";
   EXPECT_EQ(fault(text),
             "r.csv:4:1: expected 2 cells as in the header, found 1 and the end of the "
-            "file. It was cut; `allow_truncated` leaves out this row.");
+            "file. It was truncated; `allow_truncated` leaves out this row.");
   EXPECT_NE(fault(text + ",1e").find("`allow_truncated`"), std::string::npos);
   EXPECT_NE(fault(text + ",").find("`allow_truncated`"), std::string::npos);
   for (const std::string& rest : {""s, ","s, ",1e"s, ",3"s}) {
@@ -287,7 +287,7 @@ TEST(RecordingCsvFault, NoAxis) {
       "8192 Hz'.");
   EXPECT_EQ(
       fault("time [s]\n0\n1\n"),
-      "r.csv:1:1: expected a column beside that of the axis, found column 1 'time [s]' alone");
+      "r.csv:1:1: expected a column in addition to the axis, found column 1 'time [s]' alone");
 }
 
 TEST(RecordingCsvFault, Units) {

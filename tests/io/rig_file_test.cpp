@@ -204,7 +204,7 @@ TEST(RigFileFault, EachMissingKey) {
         continue;
       }
       expect_contains(found, "rig.toml:", text);
-      // One of two keys is missing: both are told, without their units.
+      // One of two keys is missing: both are reported, without their units.
       expect_contains(found, pair.key == "stiffness_N_per_m" ? "stiffness" : pair.key, text);
       const std::string table = pair.path.substr(0, pair.path.rfind('.'));
       if (table != pair.path) expect_contains(found, table, text);
@@ -246,7 +246,7 @@ TEST(RigFileFault, EachMisspeltKey) {
       text.insert(pair.start + 1, "x");
       const std::string found = message(text);
       expect_contains(found, fmt::format("rig.toml:{}:", pair.line), text);
-      expect_contains(found, fmt::format("Is it to be '{}'?", pair.key), text);
+      expect_contains(found, fmt::format("Did you mean '{}'?", pair.key), text);
     }
   }
 }
@@ -275,8 +275,8 @@ TEST(RigFileFault, AnotherFile) {
             "rig.toml:1:10: expected the schema 'microslip.rig/1', found 'microslip.model/1'. "
             "This is a structure with joints (model.toml), not a rig.");
   EXPECT_EQ(message("[package]\n"),
-            "rig.toml:1:1: expected the key 'schema' at the top, found the keys 'package'. It says "
-            "what the file is: docs/file_formats.md has it for each.");
+            "rig.toml:1:1: expected the key 'schema' at the top, found the keys 'package'. It "
+            "states the kind of the file: see docs/file_formats.md.");
 }
 
 TEST(RigFileFault, ValuesThatBreakARule) {
@@ -318,7 +318,7 @@ TEST(RigFileFault, ValuesOfAWrongType) {
 TEST(RigFileFault, KeysThatDoNotBelongHere) {
   EXPECT_EQ(reference_message("rod_radius_m", "rod_radius_mm"),
             "rig.toml:12:1: expected in contact the keys rod_radius_m, stiffness_N_per_m, "
-            "stick_frequency_Hz, joint, found the unknown key 'rod_radius_mm'. Is it to be "
+            "stick_frequency_Hz, joint, found the unknown key 'rod_radius_mm'. Did you mean "
             "'rod_radius_m'?");
   expect_contains(modes_message("shape = [1, 0.5]", "position_m = 0.5"),
                   "rig.toml:11:1: expected in accelerometer[0] the keys shape, channel, found the "

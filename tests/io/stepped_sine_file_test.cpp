@@ -73,7 +73,7 @@ TEST(SteppedSineFile, IsToldFromOtherFiles) {
   EXPECT_FALSE(is_stepped_sine(""));
 }
 
-// What is meant to be a sweep and lacks a part is told as such, not as a record without
+// What is meant to be a sweep and lacks a part is reported as such, not as a record without
 // accelerometers.
 TEST(SteppedSineFile, NamesThePartThatASweepLacks) {
   const test::TemporaryFolder folder;
@@ -86,9 +86,9 @@ TEST(SteppedSineFile, NamesThePartThatASweepLacks) {
   expect_parts(refused("frequency [Hz],force [N],acceleration [g]\n1,1,1\n2,1,1\n"),
                {"with phase [rad]", "against the force"});
   expect_parts(refused("frequency [Hz],force [N],displacement [m],phase [rad]\n1,1,1,1\n"),
-               {"with acceleration [m/s^2]", "displacement: multiplied by (2 pi frequency)^2"});
+               {"with acceleration [m/s^2]", "displacement: multiply it by (2 pi frequency)^2"});
   expect_parts(refused("frequency [Hz],force [N],velocity [m/s],phase [rad]\n1,1,1,1\n"),
-               {"with acceleration [m/s^2]", "velocity: multiplied by 2 pi frequency"});
+               {"with acceleration [m/s^2]", "velocity: multiply it by 2 pi frequency"});
   expect_parts(refused("frequency [Hz],force [N],displacement [m]\n1,1,1\n"),
                {"acceleration [m/s^2] and phase [rad]"});
   expect_parts(refused("frequency [Hz],force [N],acceleration [mm],phase [rad]\n1,1,1,1\n"),

@@ -167,7 +167,7 @@ TEST(StructureFileFault, NamesThePlace) {
          "that fit: m, mm, um (µm), nm, cm, in, ft, mil.");
   expect("set = \"top\"", "set = \"tap\"",
          "s.toml:17:7: support[0].set = 'tap'; must be a [[set]] of the file, or a set of the mesh "
-         "of [nodes]. Is it to be 'TOP'?");
+         "of [nodes]. Did you mean 'TOP'?");
   expect("node = 2\n", "",
          "s.toml:21:1: expected one of the keys node, nodes, set, row, found none");
   expect("node = 2\n", "node = 2\nrow = 1\n",
@@ -180,22 +180,23 @@ TEST(StructureFileFault, NamesThePlace) {
       "before it, or a vector [x, y, z]");
   expect("direction = \"-z\"\n", "",
          "s.toml:21:1: expected the key 'direction' in point[0], found the keys 'name, node'");
-  expect(
-      "row = 1\n", "row = 1\ndirection = \"x\"\n",
-      "s.toml:28:13: expected a place with nodes, found rows, which have their own. Leave it out.");
+  expect("row = 1\n", "row = 1\ndirection = \"x\"\n",
+         "s.toml:28:13: expected a place with nodes, found rows, which define their own. Leave it "
+         "out.");
   expect("row = 1\n", "row = 1.5\n",
          "s.toml:27:7: point[1].row = 1.5; must be a row of the matrices, counted from 1");
   expect("to = {node = 1}", "to = {node = 1, spider = \"rigid\"}",
          "s.toml:31:26: joint[0].to.spider = 'rigid'; needs two nodes or more, and would have no "
          "effect. Leave it out.");
   expect("nodes = [1, 2]\n", "nodes = [1, 2, 1]\n",
-         "s.toml:15:16: set[1].nodes[2] = 1; must be there once only");
-  expect("{z_m = [0, 0.1]}", "{z_m = [0.2, 0.3]}",
-         "s.toml:12:7: set[0].box = none of 2 nodes; must have a node at least. Its numbers are in "
-         "m.");
+         "s.toml:15:16: set[1].nodes[2] = 1; must be given only once");
+  expect(
+      "{z_m = [0, 0.1]}", "{z_m = [0.2, 0.3]}",
+      "s.toml:12:7: set[0].box = none of 2 nodes; must have at least one node. Its numbers are in "
+      "m.");
   expect("name = \"pair\"", "name = \"top\"",
-         "s.toml:14:8: set[1].name = 'top'; must be a text, and no set of the file or of the mesh "
-         "before it");
+         "s.toml:14:8: set[1].name = 'top'; must be a text that no earlier set of the file or mesh "
+         "has");
   expect("name = \"pin\"", "name = \"bolt\"",
          "s.toml:36:8: joint[1].name = 'bolt'; must differ from joint[0].name");
   expect("stiffness_N_per_m = 2e5\n", "",
@@ -210,11 +211,10 @@ TEST(StructureFileFault, NamesThePlace) {
   expect("attachment = false", "attachment = 0",
          "s.toml:43:14: modes.attachment = 0; must be true or false");
   expect("loss_factor = [0.003, 0.002]", "loss_factor = []",
-         "s.toml:44:15: modes.loss_factor = 0 values; must have one at least");
-  expect(
-      "point = \"tip\"\nchannel", "point = \"tap\"\nchannel",
-      "s.toml:46:9: excitation.point = 'tap'; must be the name of a point: 'tip, first'. Is it to "
-      "be 'tip'?");
+         "s.toml:44:15: modes.loss_factor = 0 values; must have at least one");
+  expect("point = \"tip\"\nchannel", "point = \"tap\"\nchannel",
+         "s.toml:46:9: excitation.point = 'tap'; must be the name of a point: 'tip, first'. Did "
+         "you mean 'tip'?");
 }
 
 // A key of [test] that is for the other kind of file says so, and what for.
@@ -224,11 +224,11 @@ TEST(StructureFile, KeysOfATestThatChangeNothingAreRefused) {
     return message_of<InputError>([&] { return parse_structure(text, "s.toml"); });
   };
   EXPECT_EQ(refused("shapes = \"s.unv\"\nband_Hz = [1.0, 2.0]\n"),
-            "s.toml:4:11: test.band_Hz is given; changes nothing with mode shapes: it is for "
+            "s.toml:4:11: test.band_Hz is given; has no effect with mode shapes: it applies to "
             "frequency responses, frfs. Leave it out.");
   EXPECT_EQ(refused("frfs = \"f.unv\"\nmodal_mass_kg = [1.0]\n"),
-            "s.toml:4:17: test.modal_mass_kg is given; changes nothing with frequency responses: "
-            "it is for mode shapes, shapes. Leave it out.");
+            "s.toml:4:17: test.modal_mass_kg is given; has no effect with frequency responses: it "
+            "applies to mode shapes, shapes. Leave it out.");
 }
 
 }  // namespace

@@ -107,8 +107,8 @@ TEST_F(TomlTableTest, NamesAnUnknownKeyAndWhatItMayBe) {
     });
   };
   EXPECT_EQ(unknown({"y", "x_m"}),
-            "a.toml:11:3: expected in row[1] the keys y, x_m, found the unknown key 'x'. Is it to "
-            "be 'x_m'?");
+            "a.toml:11:3: expected in row[1] the keys y, x_m, found the unknown key 'x'. Did you "
+            "mean 'x_m'?");
   EXPECT_EQ(
       unknown({"length"}),
       "a.toml:11:3: expected in row[1] the keys length, found the unknown key 'x'. Correct or "
@@ -153,8 +153,8 @@ TEST(TomlInput, RefusesWhatIsNoTomlAtAll) {
 // What the parser says, of toml++ 3.3 here, is passed on and not relied on.
 TEST(TomlInput, NamesThePlaceOfASyntaxError) {
   const std::string general =
-      "A text stands in quotes, a number has a decimal point and no unit, a key stands once in its "
-      "table; each of several tables is a [[table]].";
+      "Quote strings; write numbers with a decimal point and no unit; give each key once per "
+      "table; write [[table]] for each of several tables.";
   const auto expect = [&](const std::string& text, const std::string& start,
                           const std::string& remedy = "") {
     const std::string fault = syntax_fault(text);
@@ -162,18 +162,17 @@ TEST(TomlInput, NamesThePlaceOfASyntaxError) {
     EXPECT_TRUE(fault.ends_with("'. " + (remedy.empty() ? general : remedy))) << fault;
   };
   expect("a = 1\nb = 0,583\n", "a.toml:2:6: expected TOML, found ',583'",
-         "A number has a decimal point, no comma.");
-  expect("a: 1\n", "a.toml:1:2: expected TOML, found ': 1'",
-         "A key and its value stand on either side of '='.");
+         "Write a decimal point, not a comma.");
+  expect("a: 1\n", "a.toml:1:2: expected TOML, found ': 1'", "Write key = value.");
   expect("a = 1;\n", "a.toml:1:6: expected TOML, found ';'",
-         "Nothing stands behind a value but a comment: leave out ';'.");
-  expect("a = “b”\n", "a.toml:1:5: expected TOML, found '“b”'", "Quotes are straight: \"text\".");
+         "Only a comment may follow a value: remove ';'.");
+  expect("a = “b”\n", "a.toml:1:5: expected TOML, found '“b”'", "Use straight quotes: \"text\".");
   expect("a = \"C:\\data\\b.csv\"\n", "a.toml:1:9: expected TOML, found 'data\\b.csv\"'",
-         "In \"...\" a backslash begins an escape: write paths with '/', or in '...'.");
+         "In \"...\" a backslash starts an escape: write paths with '/', or in '...'.");
   expect("a = \"b\nc = 1\n", "a.toml:1:7: expected TOML, found the end of the line",
-         "A text ends with its quote in the same line.");
+         "Close the quote on the same line.");
   expect("a = 5 mm\n", "a.toml:1:7: expected TOML, found 'mm'");
-  const std::string digits = "A decimal point has a digit on either side: 80.0 or 0.5.";
+  const std::string digits = "A decimal point needs a digit on each side: 80.0 or 0.5.";
   expect("a = 5.\n", "a.toml:1:7: expected TOML, found the end of the line", digits);
   expect("a = [80., 3.0]\n", "a.toml:1:9: expected TOML, found ', 3.0]'", digits);
   expect("a = [80.,310.0]\n", "a.toml:1:9: expected TOML, found ',310.0]'", digits);
@@ -213,7 +212,7 @@ std::string repeated(const std::string& text, std::size_t count) {
 }
 
 TEST(TomlInput, BoundsTheDepthOfBrackets) {
-  const std::string expected = "expected at most 64 arrays and tables in each other, found more";
+  const std::string expected = "expected at most 64 nested arrays and tables, found more";
   for (const char* bracket : {"[", "{ a = ", "[{ a = "}) {
     const std::string message = syntax_fault("a = " + repeated(bracket, 1'000'000));
     EXPECT_NE(message.find(expected), std::string::npos) << message;

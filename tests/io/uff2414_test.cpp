@@ -68,7 +68,7 @@ TEST(Uff2414, ComplexModeHasItsEigenvalueAndModalA) {
   }
 }
 
-// Data types 4 and 6 say that the program had doubles. Wider fields are told by the blanks between.
+// Data types 4 and 6 say that the program had doubles. Wider fields are recognised by the blanks.
 TEST(Uff2414, OfDoublePrecision) {
   std::string body = test::replaced(kComplex, "         5         3\n", "         6         3\n");
   body = test::replaced(

@@ -136,10 +136,10 @@ TEST(UffLayouts, BinaryOfDecAndIbmIsRefused) {
   f.points = 2;
   const std::string payload(16, '\0');
   EXPECT_NE(test::uff_fault(binary_dataset(f, payload, 16, 1, 1))
-                .find("found format 1 (DEC VMS), byte order 1, 8 bytes a value"),
+                .find("found format 1 (DEC VMS), byte order 1, 8 bytes per value"),
             std::string::npos);
   EXPECT_NE(test::uff_fault(binary_dataset(f, payload, 16, 2, 3))
-                .find("found format 3 (IBM), byte order 2, 8 bytes a value"),
+                .find("found format 3 (IBM), byte order 2, 8 bytes per value"),
             std::string::npos);
 }
 

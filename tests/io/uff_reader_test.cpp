@@ -67,11 +67,10 @@ TEST(UffReader, TrustsThePointsWhereTheAnnouncedBytesLie) {
 TEST(UffReader, RefusesBytesThatFitNothing) {
   const std::string fault =
       uff_fault(binary_dataset(three_points(), test::doubles({1, 2, 3, 4}), 17));
-  EXPECT_EQ(
-      fault,
-      "t.uff:13: expected the line '    -1' behind the 24 bytes of the 3 points of dataset 1, "
-      "found other bytes there, and 17 bytes announced. The header and the values of the "
-      "dataset contradict each other.");
+  EXPECT_EQ(fault,
+            "t.uff:13: expected the line '    -1' after the 24 bytes of the 3 points of dataset 1, "
+            "found other bytes, and 17 bytes announced. The header and the values of the "
+            "dataset contradict each other.");
 }
 
 TEST(UffReader, TakesALineBreakBehindBinaryValues) {
@@ -132,7 +131,7 @@ TEST(UffReader, UnknownDatasetsAreSkipped) {
   const Recordings read = read_uff(other + text_dataset(three_points(), kThree) + other);
   EXPECT_EQ(read.recordings[0].channels[0].values, (Numbers{1, 2, 3}));
   EXPECT_EQ(uff_fault(other),
-            "t.uff: expected a function of two points at least (dataset 58 or 58b), found 1 "
+            "t.uff: expected a function of at least two points (dataset 58 or 58b), found 1 "
             "dataset 2411");
 }
 
@@ -213,7 +212,7 @@ TEST(UffReader, FewerValuesThanAnnouncedAreCounted) {
   const std::string text = text_dataset(f, kThree);
   EXPECT_EQ(uff_fault(text),
             "t.uff:15: expected 2508876 values (2508876 points) in dataset 1, found 3 before its "
-            "end. Record or export it again, or take what is there with `allow_truncated`.");
+            "end. Record or export it again, or read what is left with `allow_truncated`.");
   const Recordings read = read_uff(text, true);
   EXPECT_EQ(codes(read), Codes{"uff_truncated"});
   EXPECT_EQ(read.recordings[0].channels[0].values, (Numbers{1, 2, 3}));
@@ -225,7 +224,7 @@ TEST(UffReader, TruncatedBinaryValues) {
   const std::string cut = whole.substr(0, whole.size() - 7 - 3);
   EXPECT_EQ(uff_fault(cut),
             "t.uff:13: expected 24 bytes (3 points) in dataset 1, found 21 before its end. Record "
-            "or export it again, or take what is there with `allow_truncated`.");
+            "or export it again, or read what is left with `allow_truncated`.");
   EXPECT_EQ(read_channel(cut, true).values, (Numbers{1, 2}));
   f.points = 2508876;
   EXPECT_EQ(read_channel(binary_dataset(f, test::doubles({1, 2, 3}), 24), true).values,
@@ -275,7 +274,7 @@ TEST(UffReader, RefusesOtherFiles) {
             "t.uff:1:1: expected a universal file, which begins with the line '    -1', found "
             "'time [s],force [N]'");
   EXPECT_EQ(uff_fault(""),
-            "t.uff: expected a function of two points at least (dataset 58 or 58b), found an empty "
+            "t.uff: expected a function of at least two points (dataset 58 or 58b), found an empty "
             "file");
   EXPECT_EQ(uff_fault(text_dataset(three_points(), kThree) + "rest\n"),
             "t.uff:16:1: expected the line '    -1' that opens a dataset, or the end of the file, "

@@ -469,7 +469,7 @@ TEST(ExperimentReport, AJointThatNobodyIdentifiedIsNotCalledIdentified) {
   results.levels->flags.clear();
   results.joint =
       IdentifiedJoint{.joint = Joint(kStiffness, SlipDensity(std::vector<DensityPart>{})),
-                      .status = "not told by the file"};
+                      .status = "not given in the file"};
   const std::string text = summary_text(experiment_report(results));
   EXPECT_FALSE(contains(text, "was identified")) << text;
   EXPECT_FALSE(contains(text, "No warning")) << text;
@@ -477,7 +477,7 @@ TEST(ExperimentReport, AJointThatNobodyIdentifiedIsNotCalledIdentified) {
   EXPECT_TRUE(contains(text, "does not tell how it was found")) << text;
   EXPECT_TRUE(contains(text, "joint_of_unknown_origin")) << text;
   EXPECT_TRUE(contains(
-      text, "joint_misses_levels: D of the joint is off that of the levels by 100.0 % of D"))
+      text, "joint_misses_levels: D of the joint differs from that of the levels by 100.0 % of D"))
       << text;
 }
 
@@ -488,7 +488,7 @@ TEST(ExperimentReport, AJointChangedAfterItsIdentificationIsWarnedOf) {
   results.joint->joint = Joint(2.0 * k, results.joint->joint.density());
   const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "joint_misses_levels")) << text;
-  EXPECT_TRUE(contains(text, "was changed after its identification")) << text;
+  EXPECT_TRUE(contains(text, "was changed after identification")) << text;
   EXPECT_TRUE(contains(text, "Not examined: whether the stuck stiffness")) << text;
 }
 
@@ -525,14 +525,13 @@ TEST(ExperimentReport, ScatterAndSmoothingAreThoseThatTheJointTells) {
   results.joint->secant_scatter = 0.38;
   results.joint->lambda = 0.172;
   results.joint->degrees_of_freedom = 12.0;
-  results.joint->smoothing = "as asked for";
+  results.joint->smoothing = "as specified";
   const std::string text = summary_text(experiment_report(results));
-  EXPECT_TRUE(
-      contains(text,
-               "scatter of its levels = D 37.90 of the standard deviations given, k_eq 0.38 "
-               "of its own"))
+  EXPECT_TRUE(contains(text,
+                       "scatter of its levels = D 37.90 times the given standard deviations, k_eq "
+                       "0.38 of its own"))
       << text;
-  EXPECT_TRUE(contains(text, "smoothing = λ = 0.172, 12.0 degrees of freedom (as asked for)"))
+  EXPECT_TRUE(contains(text, "smoothing = λ = 0.172, 12.0 degrees of freedom (as specified)"))
       << text;
   EXPECT_TRUE(contains(text, "not from the levels below as far as its file tells")) << text;
   EXPECT_FALSE(contains(text, "levels = 20")) << text;
@@ -644,7 +643,7 @@ TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
   EXPECT_EQ(conditions.marked, std::vector<std::size_t>{0});  // 5 % apart, 3.5 σ of a difference
   EXPECT_EQ(std::get<std::string>(conditions.rows[0][1]), "D +1 ± 0.2 % per unit of torque_Nm");
   EXPECT_EQ(std::get<std::string>(conditions.rows[0][2]), "no");
-  EXPECT_TRUE(contains(std::get<std::string>(conditions.rows[0][3]), "D of 25 is +5"));
+  EXPECT_TRUE(contains(std::get<std::string>(conditions.rows[0][3]), "D at 25 differs by +5"));
   EXPECT_TRUE(contains(std::get<std::string>(conditions.rows[1][3]), "one value"));
   check_report(document);
 }
@@ -936,7 +935,7 @@ TEST(ExperimentReport, FlagsAreMarkedAndWorriedAbout) {
   const auto& flags = std::get<ReportFacts>(section(document, "Levels").blocks[1]);
   ASSERT_EQ(flags.facts.size(), 1);
   EXPECT_EQ(flags.facts[0].first, "spike");
-  EXPECT_EQ(flags.facts[0].second, "single samples are far off; 1 level");
+  EXPECT_EQ(flags.facts[0].second, "single samples are outliers; 1 level");
 }
 
 TEST(ExperimentReport, RecordsWithAndWithoutForceControl) {
@@ -1049,15 +1048,15 @@ TEST(TestReportFault, LengthsOfPartsDiffer) {
     return input_fault([&] { (void)experiment_report(results); });
   };
   EXPECT_EQ(fault_of([](ExperimentResults& r) { r.joint->band_lower.pop_back(); }),
-            "band_lower.size() = 2; must be 3, that of what belongs to it");
+            "band_lower.size() = 2; must be 3, that of the corresponding data");
   EXPECT_EQ(fault_of([](ExperimentResults& r) { r.backbone->vibration_energy = {1.0}; }),
-            "backbone.vibration_energy.size() = 1; must be 2, that of what belongs to it");
+            "backbone.vibration_energy.size() = 1; must be 2, that of the corresponding data");
   EXPECT_EQ(fault_of([](ExperimentResults& r) { r.force_control[0].after.clear(); }),
-            "force_control.after.size() = 0; must be 2, that of what belongs to it");
+            "force_control.after.size() = 0; must be 2, that of the corresponding data");
   EXPECT_EQ(fault_of([](ExperimentResults& r) { r.responses[0].force.pop_back(); }),
-            "force.size() = 1; must be 2, that of what belongs to it");
+            "force.size() = 1; must be 2, that of the corresponding data");
   EXPECT_EQ(fault_of([](ExperimentResults& r) { r.records[0].signals[0].recorded.clear(); }),
-            "force.recorded.size() = 0; must be 2, that of what belongs to it");
+            "force.recorded.size() = 0; must be 2, that of the corresponding data");
 }
 
 TEST(ExperimentReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
@@ -1213,7 +1212,7 @@ TEST(TestReportFault, LengthsOfARecordDiffer) {
   ExperimentResults results = record_results();
   results.force_paths[1].found.pop_back();
   EXPECT_EQ(input_fault([&] { (void)experiment_report(results); }),
-            "b.csv.found.size() = 399; must be 400, that of what belongs to it");
+            "b.csv.found.size() = 399; must be 400, that of the corresponding data");
 }
 
 // Tables of predictions in the folder have a section, their bands behind the curves; without any

@@ -27,7 +27,8 @@ std::string message(const std::function<void()>& call) {
 
 TEST(AbsentFormats, RefuseFilesOfHdf5) {
   const std::string refusal =
-      "a.h5: is a file of HDF5, without which this microslip was built. Take another format, or "
+      "a.h5: is an HDF5 file, which this build of microslip does not support. Use another format, "
+      "or "
       "build it with -DMICROSLIP_WITH_HDF5=ON.";
   EXPECT_EQ(message([] { (void)read_recordings_hdf5("a.h5"); }), refusal);
   EXPECT_EQ(message([] { write_recordings_hdf5("a.h5", {}); }), refusal);
@@ -47,8 +48,8 @@ TEST(AbsentFormats, RefuseFilesOfMatlab) {
                                                  [] { (void)mat73_tree("a.mat", {}); }};
   for (const auto& call : calls) {
     EXPECT_EQ(message(call),
-              "a.mat: is a file of MATLAB, without which this microslip was built. Take another "
-              "format, or build it with -DMICROSLIP_WITH_MAT=ON.");
+              "a.mat: is a MATLAB file, which this build of microslip does not support. Use "
+              "another format, or build it with -DMICROSLIP_WITH_MAT=ON.");
   }
 }
 

@@ -49,12 +49,13 @@ TEST(CampaignOutliers, OfAWholeTestAreOneWarning) {
   std::vector<Warning> warnings{{"scatter_large", "losses scatter."}};
   for (std::size_t i = 1; i <= kLevelsOfTest; ++i) warnings.push_back(outlier("b", i));
   warnings.push_back(outlier("a", 1));
-  EXPECT_EQ(texts_of(warnings),
-            (std::vector<std::string>{
-                "losses scatter.",
-                "b: all 12 levels have 1.1 to 1.21 times the loss found, far off what the levels "
-                "scatter by. They counted in full: correct the test, or leave it out.",
-                "a: level 1 has much loss."}));
+  EXPECT_EQ(
+      texts_of(warnings),
+      (std::vector<std::string>{
+          "losses scatter.",
+          "b: all 12 levels have 1.1 to 1.21 times the identified loss, far outside the scatter "
+          "of the levels. They were given full weight: correct the test, or leave it out.",
+          "a: level 1 has much loss."}));
 }
 
 // "b: level 1" is no beginning of "b: level 12".

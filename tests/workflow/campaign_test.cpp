@@ -122,7 +122,7 @@ TEST(CampaignSessions, AnOffsetThatWasPutInComesOutWithinItsDeviation) {
   EXPECT_LT(squares / kCampaigns, 1.7);
 }
 
-// Not asked for, the difference is told and not taken off: it is part of what the model misses.
+// Not asked for, the difference is reported, not corrected: it is part of the model error.
 TEST(CampaignSessions, AnOffsetThatIsNotAskedForIsToldAlone) {
   const VirtualCampaign campaign =
       campaign_of({{.session = "a"}, {.session = "b", .offset = 0.003}}, 1);
@@ -151,7 +151,7 @@ TEST(CampaignSessions, TellsHowTestsRepeat) {
 }
 
 // The second session lies above the first: what their frequencies differ by, from −3·σ of the mean
-// to the softening between the two in closed form, is told apart by the joint alone.
+// to the softening between the two in closed form, is determined by the joint alone.
 TEST(CampaignSessions, TellsOfAmplitudesThatDoNotOverlap) {
   VirtualCampaign campaign = campaign_of(
       {{.session = "a"}, {.session = "b", .offset = 0.003}, {.session = "c", .offset = 0.001}}, 1);
@@ -433,7 +433,7 @@ TEST(CampaignConditions, StateATrend) {
   EXPECT_EQ(warnings[0].code, "conditions_pooled");
   EXPECT_NE(warnings[0].text.find("torque_Nm = 10, 15, 20"), std::string::npos);
   const std::string beyond = "more than three standard deviations";
-  EXPECT_LT(warnings[0].text.find("D of 20 is -3."), warnings[0].text.find(beyond));
+  EXPECT_LT(warnings[0].text.find("D at 20 differs by -3."), warnings[0].text.find(beyond));
   EXPECT_LT(warnings[0].text.find(beyond), warnings[0].text.find("the frequency of 20"));
   EXPECT_EQ(warnings[0].text.find(beyond), warnings[0].text.rfind(beyond));
 }
@@ -504,7 +504,7 @@ TEST(CampaignConditions, TellOfAmplitudesThatDoNotOverlap) {
   const std::vector<ConditionEffect> all = conditions_of(campaign);
   EXPECT_FALSE(all.front().overlap);
   EXPECT_TRUE(std::isnan(all.front().dissipation_trend.mean));  // texts have none
-  EXPECT_NE(condition_warnings(campaign.file, all).front().text.find("cannot be told apart"),
+  EXPECT_NE(condition_warnings(campaign.file, all).front().text.find("cannot be distinguished"),
             std::string::npos);
 }
 
@@ -538,7 +538,7 @@ std::vector<LeftOut> left_out_of(VirtualCampaign campaign, LeaveOut what, double
 }
 
 // Of four tests the third is of a joint that loses 15 % more, thirty times the noise: it is named,
-// and by how much. The others, which agree, are held against three of which one is wrong: their
+// and by how much. The others, which agree, are compared with three of which one is wrong: their
 // band is wide, and they lie in it.
 TEST(CampaignLeaveOneOut, NamesTheTestOfAnotherJoint) {
   const std::vector<LeftOut> parts = left_out_of(

@@ -51,7 +51,7 @@ TEST(ComparisonResults, HoldWhatTheCommentsOfTheTableTell) {
 
 TEST(ComparisonResults, VerdictCountsTheValuesInside) {
   const std::string verdict = comparison_verdict(read_back(true));
-  test::expect_message(verdict, "2 of 3 values of 1 test inside of their bands, 3 expected");
+  test::expect_message(verdict, "2 of 3 values of 1 test inside their bands, 3 expected");
   // rms of (3.3/3 − 1) and two zeros: 0.1/√3.
   test::expect_message(verdict, "force 5.8 %");
   test::expect_message(verdict, "Against it: few_inside");
@@ -60,10 +60,11 @@ TEST(ComparisonResults, VerdictCountsTheValuesInside) {
 
 TEST(ComparisonResults, VerdictWithoutDrawsSaysThatThereAreNoBands) {
   test::expect_message(comparison_verdict(read_back(false)),
-                       "1 test, without bands to judge them by (verify --draws)");
+                       "1 test, without bands to assess them (verify --draws)");
   ComparisonFound other = read_back(true);
   other.of_this_model = false;
-  EXPECT_EQ(comparison_verdict(other), "not told: the comparison is of another joint or model");
+  EXPECT_EQ(comparison_verdict(other),
+            "not available: the comparison is of another joint or model");
 }
 
 TEST(ComparisonResults, CampaignsAreReadByTheirColumns) {

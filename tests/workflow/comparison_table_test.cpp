@@ -52,7 +52,7 @@ TEST(ComparisonTable, HasVerdictsAndWhatItsReaderMustKnow) {
   EXPECT_EQ(table.text("unit"), (std::vector<std::string>{"m", "m", "m", "1"}));
   for (const char* part :
        {"# call", "# warning: of_file: cut.", "# warning: few_inside: a.mat:X(1): few.",
-        "# a.mat:X(1): displacement: 1 of 2 inside, 1.9 expected; 10 % of the draws",
+        "# a.mat:X(1): displacement: 1 of 2 inside, 1.9 expected, p-value 10 %",
         "# draws: 40 of seed 1"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   }

@@ -188,7 +188,7 @@ std::uint64_t sets_of_study() {
   return set == nullptr ? 0 : std::strtoull(set, nullptr, 10);
 }
 
-// The share of the stiffness that slips is known as well by 0.7 times as many levels where each six
+// The slipping fraction of k is known as well by 0.7 times as many levels where each six
 // are planned by those before.
 TEST(LevelPlanned, ReachTheWidthOfMoreLevelsInEqualSteps) {
   MICROSLIP_OF_RELEASE_ALONE();
@@ -207,7 +207,7 @@ TEST(LevelPlanned, StudyOfOtherTargets) {
 }
 
 // A level at the amplitude of a peak tells most of its height: the plan of a peak goes there. Where
-// the joint of a mode moves by A at the peak is told by force and dissipation.
+// the joint of a mode moves by A at the peak follows from force and dissipation.
 TEST(LevelPlanned, ForAPeakGoesToItsAmplitude) {
   const Shelf shelf;
   Levels levels;
@@ -249,7 +249,7 @@ TEST(LevelPlanned, RefusesWhatCannotBePlanned) {
   const auto nothing = [](LevelPlanning&) {};
   const std::string few = fault(nothing, PlanTarget::kArea);
   EXPECT_NE(few.find("number of different amplitudes = 7; must be 8 or more"), std::string::npos);
-  EXPECT_NE(few.find("Begin with 8 levels"), std::string::npos);
+  EXPECT_NE(few.find("Start with 8 or more levels"), std::string::npos);
   measure(testing::reference_joint(), testing::equal_steps(8), 5, levels);
   EXPECT_NE(fault([](LevelPlanning& p) { p.count = 0; }, PlanTarget::kArea).find("count = 0"),
             std::string::npos);

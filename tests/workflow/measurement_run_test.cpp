@@ -20,7 +20,7 @@
 #include "microslip/workflow/results/experiment_folder.hpp"
 #include "support/rigs.hpp"
 
-// The chains from files to files, each held against the truth of the virtual test before it.
+// The chains from files to files, each compared with the truth of the virtual test before it.
 namespace microslip::measurement_run_test {
 namespace {
 

@@ -173,7 +173,7 @@ TEST(ModalDecay, OfThreeModesAtOnceIsFlaggedWhereTheyModulate) {
     EXPECT_GE(errors.flagged_damping, 0.3);
   }
   const std::string text = modal_levels_text(reduced, "call");
-  EXPECT_NE(text.find("# warning: modes_modulate: mode 2: during"), std::string::npos);
+  EXPECT_NE(text.find("# warning: modes_modulate: mode 2: at"), std::string::npos);
   const CsvTable table(text, "m.csv");
   const std::vector<double> mode = table.numbers("mode", kDimensionless);
   EXPECT_EQ(mode.front(), 1.0);

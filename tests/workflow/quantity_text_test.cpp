@@ -30,7 +30,8 @@ TEST(QuantityText, ADecimalCommaIsToldWithWhatToWrite) {
   EXPECT_EQ(told("1,5 mm"), "x = '1,5 mm'; must have a decimal point. Write 1.5 mm.");
   EXPECT_EQ(told("1,5" + std::string(1000, 'm')),
             "x = '1,5" + std::string(37, 'm') +
-                "…' (1003 bytes); must have a decimal point. Write a point for the comma.");
+                "…' (1003 bytes); must have a decimal point. Write a decimal point instead of the "
+                "comma.");
 }
 
 TEST(QuantityText, RangesInTheirOwnUnit) {

@@ -83,7 +83,7 @@ TEST(TestComparison, BandsHoldWhatAnEstimateMayBeOffBy) {
 }
 
 // Ten values that err together lie all inside or all outside of their band. Where they lie outside,
-// so do 5 % of the draws, no fewer, however far: that is told as 5 % and not as 0.05^10, and it is
+// so do 5 % of the draws, no fewer, however far: that is reported as 5 %, not as 0.05^10, and it is
 // as few as the confidence has it.
 TEST(TestComparison, ChanceKnowsThatValuesErrTogether) {
   ComparedTest inside = test_of(10, 10.0 + 0.3 * 1.5);

@@ -11,10 +11,10 @@
 #include "microslip/ensemble/team.hpp"
 
 /// @file
-/// What the subcommands share. Each lives in a file of its own, adds itself to the program by one
-/// function, and does its work by calls to the library.
+/// Declarations common to the subcommands. Each is in a file of its own, adds itself to the program
+/// by one function, and does its work by calls to the library.
 
-// Only those who make or read one need CLI11, which takes the compiler long.
+// Only code that makes or parses an App needs CLI11, which is slow to compile.
 namespace CLI {
 class App;
 }
@@ -24,9 +24,9 @@ namespace microslip::app {
 /// Exit statuses of the program.
 enum ExitStatus : int {
   kDone = 0,
-  kFailed = 1,        ///< anything that is neither of the others
+  kFailed = 1,        ///< any other failure
   kInputAtFault = 2,  ///< the input or the call
-  kNotConverged = 3,  ///< a solver; what was found is written and marked
+  kNotConverged = 3,  ///< a solver; the result so far is written and marked
 };
 
 struct ExitStatusText {
@@ -34,16 +34,16 @@ struct ExitStatusText {
   const char* text;
 };
 
-/// As the help and the manual tell them.
+/// Exit statuses in the order and words of the help and the manual.
 inline constexpr std::array<ExitStatusText, 4> kExitStatusTexts = {{
     {kDone, "done"},
-    {kInputAtFault, "the input or the call is at fault; one line says where, what and what to do"},
-    {kNotConverged, "a solver did not converge; what it found is written and marked"},
+    {kInputAtFault, "invalid input or call; one line names the place, the fault and the remedy"},
+    {kNotConverged, "a solver did not converge; its last result is written and marked"},
     {kFailed, "anything else, for instance a file that cannot be written"},
 }};
 
-/// What an argument is called in the help (CLI::Option::type_name) where it names a file or a
-/// folder. The completion of the shells offers names with this ending.
+/// Names of arguments in the help (CLI::Option::type_name) that are files or folders. The
+/// completion of the shells offers names with this ending.
 inline constexpr const char* kCsvValue = "FILE.csv";
 inline constexpr const char* kHdf5Value = "FILE.h5";
 inline constexpr const char* kJsonValue = "FILE.json";
@@ -61,7 +61,8 @@ struct Call {
   std::string command_line;  ///< as typed, quoted where a shell would need it
   bool quiet = false;
   std::function<int()> run;  ///< set by the subcommand that was chosen; gives the exit status
-  /// Who does the blocks of an ensemble. @param threads  as many at most; 0: as is usual.
+  /// Makes the team that does the blocks of an ensemble. @param threads  maximum number; 0:
+  /// default.
   std::function<std::unique_ptr<Team>(std::size_t threads)> make_team = make_local_team;
 
   /// This process alone.
@@ -75,10 +76,10 @@ struct Call {
 /// The program with all of its subcommands. Both must live until the call has run.
 [[nodiscard]] std::unique_ptr<CLI::App> make_program(Call& call);
 
-/// The program of a cluster, which has the subcommands that share their work alone.
+/// The program for a cluster, with only the subcommands that distribute their work.
 [[nodiscard]] std::unique_ptr<CLI::App> make_cluster_program(Call& call);
 
-/// What main() does: parses the command line, runs the subcommand and tells what went wrong.
+/// Body of main(): parses the command line, runs the subcommand and reports errors.
 /// @param make  make_program() or make_cluster_program(). @return the exit status.
 [[nodiscard]] int run_program(int argc, char** argv, Call& call,
                               std::unique_ptr<CLI::App> (*make)(Call& call));

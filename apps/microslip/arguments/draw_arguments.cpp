@@ -18,25 +18,24 @@ namespace microslip::app {
 void add_draw_arguments(CLI::App& command, DrawArguments& arguments, const std::string& columns) {
   CLI::Option* draws = command.add_option(
       "--draws", arguments.count,
-      "Predict by so many draws of what is uncertain as well, and write between which values they "
-      "lie: " +
+      "Propagate this many posterior draws of the uncertain parameters and write their band: " +
           columns);
-  command.add_option("--seed", arguments.seed, "Of the draws: the same seed, the same draws")
+  command
+      .add_option("--seed", arguments.seed, "Seed of the draws; the same seed gives the same draws")
       ->needs(draws)
       ->capture_default_str();
   command
       .add_option("--confidence", arguments.confidence,
-                  "Share of the draws that lies between the two, as much below as above")
+                  "Probability of the band, with equal tails below and above")
       ->needs(draws)
       ->capture_default_str();
 }
 
 void add_correlation_argument(CLI::App& command, DrawArguments& arguments) {
   command
-      .add_option(
-          "--correlation", arguments.correlation,
-          "Of the draws of several joints: those of the same number together, each joint by "
-          "itself, or together where one calibration drew them")
+      .add_option("--correlation", arguments.correlation,
+                  "How draws of several joints are combined: by their number, independently of "
+                  "each other, or (auto) by number where one calibration drew them")
       ->needs(command.get_option("--draws"))
       ->check(CLI::IsMember({"auto", "together", "independent"}))
       ->capture_default_str();
@@ -48,13 +47,14 @@ void add_joint_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
   CLI::Option* draws = command.get_option("--draws");
   command
       .add_option("--samples", arguments.samples,
-                  "Draws of the joint, joint_samples.h5: of identify --samples-out or calibrate")
+                  "Posterior draws of the joint, joint_samples.h5, from identify --samples-out or "
+                  "calibrate")
       ->needs(draws)
       ->type_name(kHdf5Value);
   command
       .add_option("--normal-load-std", arguments.normal_load_std,
                   "Relative standard deviation of the normal load, which scales all slip forces "
-                  "and leaves k: 0.1 or 10%")
+                  "but not k: 0.1 or 10%")
       ->needs(draws)
       ->capture_default_str();
 }
@@ -94,10 +94,9 @@ DrawOptions draw_options(const DrawArguments& arguments) {
   }
   options.count = parse_whole_number(
       "--draws", arguments.count, DrawOptions::fewest(options.confidence), DrawOptions::kMostDraws,
-      fmt::format(
-          "Of fewer none lies beyond each edge of a band of {:g} %, and 1000 tell its edges "
-          "to some 5 % of its width. Leave it out for a prediction without bands.",
-          100.0 * options.confidence));
+      fmt::format("With fewer, no draw lies beyond the edges of a band of {:g} %; 1000 give its "
+                  "edges to about 5 % of its width. Leave it out for a prediction without bands.",
+                  100.0 * options.confidence));
   return options;
 }
 

@@ -20,7 +20,7 @@
 namespace microslip::app {
 namespace {
 
-/// As the help lists them.
+/// Names in the order of the help.
 template <typename All>
 std::vector<std::string> names_of(const All& all) {
   std::vector<std::string> names;
@@ -39,7 +39,7 @@ double relative_std(std::string_view option, const std::string& text) {
   return gain;
 }
 
-/// Draws of the posterior of levels, by the newer name of the option or the older one.
+/// Number of posterior draws of levels, by the current or the former name of the option.
 struct DrawCount {
   std::string_view option;
   std::string text;
@@ -49,16 +49,16 @@ struct DrawCount {
 DrawCount draws_of_levels(const IdentifyArguments& options) {
   if (!options.samples) return {"--bands", options.bands};
   if (options.bands != "0") {
-    throw InputError("--bands", in_quotes(options.bands), "is the same number as --samples",
+    throw InputError("--bands", in_quotes(options.bands), "gives the same number as --samples",
                      "Leave one of them out.");
   }
   return {"--samples", *options.samples};
 }
 
-/// What only a band shows is refused without one, not ignored.
+/// Refuses options that affect only the band where no band is requested.
 void check_unused(const IdentifyArguments& options, const CommonErrors& errors) {
   const auto refuse = [](std::string_view option, const std::string& text) {
-    throw InputError(option, in_quotes(text), "belongs to a band, and --bands is 0",
+    throw InputError(option, in_quotes(text), "requires a band, and --bands is 0",
                      "Ask for samples, for instance --samples 1000, or leave it out.");
   };
   if (!options.samples_out.empty()) refuse("--samples-out", options.samples_out);
@@ -79,7 +79,7 @@ std::uint64_t seed_of(const IdentifyArguments& options) {
                             std::numeric_limits<std::uint64_t>::max());
 }
 
-/// What belongs to the band of the free density; nothing where none was asked for.
+/// Options of the band of the free density; nothing where no band was requested.
 std::optional<BandOptions> bands_of(const IdentifyArguments& options, bool quiet) {
   constexpr std::uint64_t kFewest = 20;
   constexpr std::uint64_t kMost = 1'000'000;  // more memory than use
@@ -93,17 +93,17 @@ std::optional<BandOptions> bands_of(const IdentifyArguments& options, bool quiet
   return bands;
 }
 
-/// What only the inversion can do is refused elsewhere, not ignored.
+/// Refuses options that only the inversion supports with other methods.
 void check_method(const IdentifyArguments& options) {
   const bool fit = options.fit != "none";
   const auto refuse = [&](std::string_view option) {
     const bool by_fit = options.method == "inversion";
-    throw InputError(by_fit ? "--fit" : "--method",
-                     in_quotes(by_fit ? options.fit : options.method),
-                     fmt::format("does not go with {}, which belongs to the free density of "
-                                 "--method inversion",
-                                 option),
-                     "Leave one of them out.");
+    throw InputError(
+        by_fit ? "--fit" : "--method", in_quotes(by_fit ? options.fit : options.method),
+        fmt::format(
+            "cannot be combined with {}, which requires the free density of --method inversion",
+            option),
+        "Leave one of them out.");
   };
   if (options.method == "inversion" && !fit) return;
   if (options.atom) refuse("--atom");
@@ -124,7 +124,7 @@ IdentificationOptions library_options(const IdentifyArguments& options, bool qui
   return all;
 }
 
-/// Refuses what belongs to the other kind of evidence, where it is given.
+/// Refuses options of the other kind of evidence where they are given.
 class Foreign {
  public:
   explicit Foreign(std::string_view rule) : rule_(rule) {}
@@ -143,29 +143,29 @@ class Foreign {
 };
 
 void refuse_options_of_recordings(const IdentifyArguments& options) {
-  const Foreign of_records("belongs to records of force and displacement, and these are levels");
+  const Foreign of_records("applies to records of force and displacement, and these are levels");
   of_records.refuse("--force", options.force, "");
   of_records.refuse("--displacement", options.displacement, "");
   of_records.refuse("--start", options.start, "auto");
   of_records.refuse("--viscous", options.viscous, "none",
-                    "--linear-damping fit finds a linear damping of one table of levels.");
+                    "--linear-damping fit identifies a linear damping from one table of levels.");
   of_records.refuse("--assume-units", !options.reading.assumed_units.empty());
   of_records.refuse("--allow-truncated", options.reading.allow_truncated);
 }
 
 void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFiles& files) {
   const Foreign of_levels(files.levels.empty()
-                              ? "belongs to levels, and this is a record of force and displacement"
-                              : "belongs to one table of levels by itself");
+                              ? "applies to levels, and this is a record of force and displacement"
+                              : "applies to a single table of levels only");
   of_levels.refuse("--method", options.method, "inversion");
   of_levels.refuse("--smoothing", options.smoothing, "gcv",
-                   "The smoothing is drawn with the density.");
+                   "The smoothing is sampled with the density.");
   of_levels.refuse("--smoothing-unit", options.smoothing_unit.has_value());
   of_levels.refuse("--linear-damping", options.linear_damping, "none",
-                   "--viscous fit finds a viscous part of a record.");
+                   "--viscous fit identifies a viscous part from a record.");
   of_levels.refuse("--atom", options.atom);
   of_levels.refuse("--edges", options.edges, "sought");
-  of_levels.refuse("--bands", options.bands, "0", "--samples N is its name for both.");
+  of_levels.refuse("--bands", options.bands, "0", "Use --samples N, which applies to both.");
   of_levels.refuse("--dissipation-gain-std", options.dissipation_gain, "0");
   of_levels.refuse("--amplitude-gain-std", options.amplitude_gain, "0");
   of_levels.refuse("--loss-factor-std", options.loss_factor, "0");
@@ -175,7 +175,7 @@ void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFi
   }
 }
 
-/// What an option says of the column `assembly`, where levels are of one joint.
+/// Treatment of the column `assembly` where levels are of one joint.
 AssemblyColumn assembly_column(const IdentifyArguments& options) {
   return options.assemblies ? AssemblyColumn::kIgnored : AssemblyColumn::kUnsaid;
 }
@@ -195,8 +195,8 @@ void add_output_options(CLI::App& command, IdentifyArguments& options) {
   command
       .add_option("--out", options.out,
                   "Joint model to write, joint.json; - is standard output. With --assemblies a "
-                  "folder: joint.json of their middle, joint_samples.h5 of the next one, "
-                  "assembly_NAME.json of each, assemblies.csv and densities.csv")
+                  "folder: joint.json of the mean assembly, joint_samples.h5 for the next "
+                  "assembly, assembly_NAME.json of each, assemblies.csv and densities.csv")
       ->required()
       ->type_name(kJsonValue);
   command
@@ -206,87 +206,88 @@ void add_output_options(CLI::App& command, IdentifyArguments& options) {
 }
 
 void add_method_options(CLI::App& command, IdentifyArguments& options) {
-  command.add_option("--method", options.method, "How the density is found")
+  command.add_option("--method", options.method, "Identification method of the density")
       ->check(CLI::IsMember(names_of(kIdentificationMethods)))
       ->capture_default_str();
   command
       .add_option("--smoothing", options.smoothing,
-                  "gcv chooses; lambda=X; p=X of csaps (spline only)")
+                  "gcv (chosen by cross-validation), lambda=X, or p=X of csaps (spline only)")
       ->capture_default_str();
-  command.add_option("--smoothing-unit", options.smoothing_unit,
-                     "Unit of the amplitude that p or lambda of the spline belongs to: um, mm, m");
+  command.add_option(
+      "--smoothing-unit", options.smoothing_unit,
+      "Unit of the amplitude for which p or lambda of the spline was chosen: um, mm, m");
   command
       .add_option("--linear-damping", options.linear_damping,
-                  "fit: D holds a linear damping beta*A^2 that was not subtracted")
+                  "fit: D contains a linear damping beta*A^2 that was not subtracted")
       ->check(CLI::IsMember({"none", "fit"}))
       ->capture_default_str();
   command
       .add_option("--inner-reversals", options.inner_reversals,
-                  "Levels whose joint turns more than twice a cycle (column reversals)")
+                  "Levels whose joint reverses more than twice per cycle (column reversals)")
       ->check(CLI::IsMember({"leave-out", "use"}))
       ->capture_default_str();
   command
       .add_option("--edges", options.edges,
-                  "Forces at which the density may jump, where the levels make them very likely, "
-                  "and a trend of its smoothness; none goes without both")
+                  "sought: jumps of the density at slip forces that the levels make very likely, "
+                  "and a trend of its smoothness; none: neither")
       ->check(CLI::IsMember({"sought", "none"}))
       ->capture_default_str();
-  command.add_flag("--atom", options.atom, "Seek an atom of the density where macro-slip begins");
+  command.add_flag("--atom", options.atom,
+                   "Identify an atom of the density at the onset of macro-slip");
   command
-      .add_option("--fit", options.fit, "Write this parametric model in place of the free density")
+      .add_option("--fit", options.fit,
+                  "Fit and write this parametric model instead of the free density")
       ->check(CLI::IsMember(names_of(kParametricModels)));
 }
 
 void add_band_options(CLI::App& command, IdentifyArguments& options) {
   command
       .add_option("--samples", options.samples,
-                  "Draws from all densities that the measurements leave possible, and of the 95 % "
-                  "band. Levels: none without it, 1000 for a smooth band; records: 1000 "
-                  "without it")
+                  "Number of posterior draws of the density, which give its 95 % band. Levels: "
+                  "default none, 1000 for a smooth band; records: default 1000")
       ->type_name("UINT");
   command
       .add_option("--samples-out", options.samples_out,
-                  "The draws as joints, to be kept: joint_samples.h5, HDF5")
+                  "Posterior draws of the joint to write: joint_samples.h5, HDF5")
       ->type_name(kHdf5Value);
-  command.add_option("--bands", options.bands, "Levels: the older name of --samples; 0 for none")
+  command.add_option("--bands", options.bands, "Levels: the former name of --samples; 0 for none")
       ->type_name("UINT")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "Seed of the samples; 1 without it")
-      ->type_name("UINT");
+  command.add_option("--seed", options.seed, "Seed of the draws; default 1")->type_name("UINT");
   command
       .add_option("--dissipation-gain-std", options.dissipation_gain,
-                  "Relative gain error of D that all levels share, for the band [1]; also in %")
+                  "Relative gain error of D common to all levels, for the band [1]; also in %")
       ->type_name("FLOAT")
       ->capture_default_str();
   command
       .add_option("--amplitude-gain-std", options.amplitude_gain,
-                  "Relative gain error of A that all levels share, for the band [1]; also in %")
+                  "Relative gain error of A common to all levels, for the band [1]; also in %")
       ->type_name("FLOAT")
       ->capture_default_str();
   command
       .add_option(
           "--loss-factor-std", options.loss_factor,
-          "Relative error of the structure's loss factor, and so of the linear loss that was "
-          "taken from D, for the band [1]; also in %; needs the column linear_dissipation "
-          "[J]")
+          "Relative error of the structure's loss factor, and thus of the linear loss that was "
+          "subtracted from D, for the band [1]; also in %; needs the column linear_dissipation [J]")
       ->type_name("FLOAT")
       ->capture_default_str();
 }
 
 void add_record_options(CLI::App& command, IdentifyArguments& options) {
   command.add_option("--force", options.force,
-                     "Records: channel of the force; else the only force there is");
+                     "Records: channel of the force; not needed if there is only one");
   command.add_option("--displacement", options.displacement,
-                     "Records: channel of the displacement; else the only one there is");
+                     "Records: channel of the displacement; not needed if there is only one");
   command
       .add_option("--start", options.start,
                   "Records: state at the first sample. virgin: no slip yet, and no force but an "
-                  "offset; unknown: its first turns tell nothing; auto: as it shows")
+                  "offset; unknown: initial state not known; auto: detected")
       ->check(CLI::IsMember({"auto", "virgin", "unknown"}))
       ->capture_default_str();
   command
-      .add_option("--viscous", options.viscous,
-                  "Records: fit finds a force c times the velocity beside the friction")
+      .add_option(
+          "--viscous", options.viscous,
+          "Records: fit identifies a viscous force c times velocity in addition to the friction")
       ->check(CLI::IsMember({"none", "fit"}))
       ->capture_default_str();
   add_recording_arguments(command, options.reading);
@@ -297,18 +298,18 @@ void add_record_options(CLI::App& command, IdentifyArguments& options) {
 void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments) {
   command.add_option("--stiffness", arguments.stiffness,
                      "k of the stuck joint, in N/m or with a unit: slip forces are k times A. "
-                     "Levels alone need it; records find it");
+                     "Required for levels alone; identified from records");
   add_output_options(command, arguments);
   add_method_options(command, arguments);
   add_band_options(command, arguments);
   command
       .add_option(
           "--assemblies", arguments.assemblies,
-          "Levels of several assemblies of a joint, three or more. column: the column "
-          "assembly names that of each level; files: each file is one; none: all are of "
-          "one joint, which goes without saying where no column names several. Found are "
-          "what they have in common, how k, slip forces and the shape of the density "
-          "differ, and draws of the next one. k is a column stiffness [N/m], or --stiffness")
+          "Levels of several assemblies of a joint, three or more. column: the column assembly "
+          "gives the assembly of each level; files: one assembly per file; none: all levels are of "
+          "one joint, the default unless a column names several. Identifies what they have in "
+          "common, the spread of k, slip forces and density shape between them, and posterior "
+          "draws for the next assembly. k is a column stiffness [N/m], or --stiffness")
       ->check(CLI::IsMember({"column", "files", "none"}));
   add_record_options(command, arguments);
 }
@@ -360,17 +361,18 @@ RecordsIdentification records_options(const IdentifyArguments& arguments,
 
 AssembliesIdentification assemblies_options(const IdentifyArguments& arguments,
                                             const EvidenceFiles& files, const Call& call) {
-  const Foreign of_one("belongs to one joint, and these are several assemblies");
+  const Foreign of_one("applies to a single joint, and these are several assemblies");
   if (!files.records.empty()) {
     throw InputError("--assemblies", in_quotes(*arguments.assemblies),
                      fmt::format("takes levels alone, and {} is a record", files.records.front()),
-                     "The subcommand levels makes levels of a record.");
+                     "The subcommand levels extracts levels from a record.");
   }
   refuse_options_of_levels(arguments, files);
   refuse_options_of_recordings(arguments);
-  of_one.refuse("--density-csv", arguments.density_csv, "", "densities.csv in --out holds them.");
+  of_one.refuse("--density-csv", arguments.density_csv, "",
+                "densities.csv in --out contains them.");
   of_one.refuse("--samples-out", arguments.samples_out, "",
-                "joint_samples.h5 in --out holds them.");
+                "joint_samples.h5 in --out contains them.");
   AssembliesIdentification all;
   all.levels = files.levels;
   all.by = *arguments.assemblies == "files" ? AssembliesBy::kFiles : AssembliesBy::kColumn;

@@ -28,7 +28,7 @@ struct IdentifyArguments {
   std::string edges = "sought";
   bool atom = false;
   std::string bands = "0";
-  std::optional<std::string> samples;  // of levels the same
+  std::optional<std::string> samples;  // the same number of draws for levels and records
   std::string samples_out;
   std::optional<std::string> seed;
   std::string dissipation_gain = "0";
@@ -60,21 +60,21 @@ struct EvidenceFiles {
   [[nodiscard]] bool one_table() const { return levels.size() == 1 && records.empty(); }
 };
 
-/// Told by their content. @throws FileError, FormatError  as evidence_kind().
+/// Sorts the files by their content. @throws FileError, FormatError  as evidence_kind().
 [[nodiscard]] EvidenceFiles evidence_files(const IdentifyArguments& arguments);
 
-/// Of one table of levels.
-/// @throws InputError  where one cannot be read, they do not go together, or one belongs to
-///                     records.
+/// Options for one table of levels.
+/// @throws InputError  for an option that cannot be read, options that exclude each other, or one
+///                     for records.
 [[nodiscard]] LevelsIdentification levels_options(const IdentifyArguments& arguments, bool quiet);
 
-/// Of records, of these and levels, or of several tables of levels.
-/// @throws InputError  likewise, where one belongs to one table of levels by itself.
+/// Options for records, for records and levels, or for several tables of levels.
+/// @throws InputError  as above, or for an option for a single table of levels.
 [[nodiscard]] RecordsIdentification records_options(const IdentifyArguments& arguments,
                                                     const EvidenceFiles& files, bool quiet);
 
-/// Of levels of several assemblies.
-/// @throws InputError  likewise, where one belongs to a joint by itself; for a record.
+/// Options for levels of several assemblies.
+/// @throws InputError  as above, or for an option for a single joint; for a record.
 [[nodiscard]] AssembliesIdentification assemblies_options(const IdentifyArguments& arguments,
                                                           const EvidenceFiles& files,
                                                           const Call& call);

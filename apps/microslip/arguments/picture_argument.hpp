@@ -15,7 +15,7 @@ namespace microslip::app {
 /// "svg", "png", "pdf".
 [[nodiscard]] const char* ending_of(PictureFormat format);
 
-/// What such a file is, for check_output().
+/// Kind of such a file, for check_output().
 [[nodiscard]] std::string_view kind_of(PictureFormat format);
 
 }  // namespace microslip::app

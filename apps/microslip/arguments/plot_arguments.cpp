@@ -48,17 +48,17 @@ std::vector<std::string> figure_names() {
 
 void add_look_options(CLI::App& command, PlotArguments& options) {
   command.add_option("--time", options.time,
-                     "FROM:TO of a history or a record, in s or with units; without it all of it");
+                     "FROM:TO of a history or a record, in s or with units; default: all of it");
   command
       .add_option("--record", options.record,
-                  "Which record that the joint was identified from: 1 without it")
+                  "Number of the record that the joint was identified from; default 1")
       ->check(CLI::Range(1, 1'000'000));
   command
       .add_option("--width-mm", options.width_mm,
-                  "Width in mm: 90 fills a column, 190 a page; letters stay 8 points high. "
-                  "Without it whichever of the two suits the figure")
+                  "Width in mm: 90 fills a column, 190 a page; text stays 8 points high. Default: "
+                  "whichever of the two suits the figure")
       ->check(width_range());
-  command.add_flag("--grey", options.grey, "Shades of grey, for print without colours");
+  command.add_flag("--grey", options.grey, "Shades of grey, for printing without colours");
   CLI::Option* log = command.add_flag("--log", options.log, "Logarithmic axis of the amplitude");
   command.add_flag("--linear", options.linear, "Linear axis of the amplitude")->excludes(log);
 }
@@ -77,22 +77,20 @@ void add_plot_arguments(CLI::App& command, PlotArguments& options) {
       ->required()
       ->type_name(kResultValue);
   command
-      .add_option("--figure", options.figure,
-                  "Which one; without it the only one there is, or the program tells which "
-                  "there are")
+      .add_option(
+          "--figure", options.figure,
+          "Figure to draw; if omitted, the only one available, or a list of those available")
       ->check(CLI::IsMember(figure_names()));
-  command
-      .add_option("--format", options.format,
-                  "Format; without it the ending of --out tells, or it is svg")
+  command.add_option("--format", options.format, "Format; default: the ending of --out, or svg")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
   command
       .add_option(
           "--out", options.out,
-          "The picture; - is standard output. Without it FIGURE.FORMAT in the current folder")
+          "Picture to write; - is standard output. Default: FIGURE.FORMAT in the current folder")
       ->type_name(kPictureValue);
   command
       .add_option("--other", options.others,
-                  "Another joint, drawn beside that of IN under the name of its file; may be "
+                  "Another joint, drawn with that of IN and labelled by its file name; may be "
                   "repeated")
       ->type_name(kJsonValue)
       ->allow_extra_args(false);
@@ -124,8 +122,7 @@ FigureOptions figure_options(const PlotArguments& options, const NamedFigure& fi
                              const ResultInput& input) {
   if ((options.log || options.linear) && !figure.has_amplitude(input)) {
     throw InputError(options.log ? "--log" : "--linear", InputState{"given"},
-                     fmt::format("{} has no axis of an amplitude here", figure.name),
-                     "Leave it out.");
+                     fmt::format("{} has no amplitude axis here", figure.name), "Leave it out.");
   }
   if (options.record && !figure.of_record) {
     throw InputError("--record", fmt::format("{}", *options.record),

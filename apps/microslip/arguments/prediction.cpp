@@ -37,12 +37,12 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
       ->type_name(kCsvValue);
   command
       .add_option("--harmonics", arguments.harmonics,
-                  "H: the motion has harmonics 0 to H. 3 serve where a joint hardly slips, 9 in "
+                  "H: the motion has harmonics 0 to H. 3 suffice where a joint hardly slips, 9 in "
                   "macro-slip")
       ->capture_default_str();
   command
       .add_option("--samples", arguments.samples,
-                  "Samples of a cycle for the forces of the joints, 2H + 2 or more")
+                  "Samples per cycle for the joint forces, 2H + 2 or more")
       ->capture_default_str();
   command.add_flag("--quiet", call.quiet, "No summary, no progress");
 }
@@ -90,7 +90,8 @@ int tell_ending(const Summary& ended, bool found, const ModelArguments& argument
     fmt::print(arguments.out == "-" ? stderr : stdout, "{}", with_option_names(summary()));
   } else if (!converged) {
     fmt::print(stderr, "microslip: {}: not converged: {}; {}\n", input_name(arguments.model),
-               ended.reason, found ? "what was found is written and marked" : "nothing is written");
+               ended.reason,
+               found ? "the result so far is written and marked" : "nothing is written");
   }
   return converged ? kDone : kNotConverged;
 }

@@ -14,8 +14,8 @@
 #include "microslip/io/cells/csv_writer.hpp"
 
 /// @file
-/// What `frf` and `backbone` share, and in part `march`: a model, the harmonic balance of it, and
-/// what is said of how it went.
+/// Declarations common to `frf` and `backbone`, in part also `march`: a model, its harmonic
+/// balance, and messages on the outcome.
 
 namespace microslip::app {
 
@@ -44,25 +44,26 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
                                          HarmonicBalanceOptions options = {},
                                          ResponseKind response = ResponseKind::kDisplacement);
 
-/// A force on the command line. @throws InputError  where it is none, or one that nothing bears.
+/// A force on the command line. @throws InputError  if invalid or out of range.
 [[nodiscard]] double parse_force(std::string_view option, std::string_view text);
 
-/// FROM:TO of frequencies on the command line, either way round, Hz. @throws InputError  likewise.
+/// FROM:TO of frequencies on the command line, in either order, Hz. @throws InputError  if invalid.
 [[nodiscard]] std::pair<double, double> parse_frequencies(std::string_view option,
                                                           std::string_view text);
 
-/// FROM:TO of displacements on the command line, the lower first, m. @throws InputError  likewise.
+/// FROM:TO of displacements on the command line, the lower first, m. @throws InputError  if
+/// invalid.
 [[nodiscard]] std::pair<double, double> parse_displacements(std::string_view option,
                                                             std::string_view text);
 
-/// Prints the summary, or says on standard error what nothing else would say.
+/// Prints the summary, or reports on standard error what nothing else reports.
 /// @param found    whether something was found, and written.
 /// @param summary  composes it; called where there is.
 /// @return the exit status.
 [[nodiscard]] int tell_ending(const Summary& ended, bool found, const ModelArguments& arguments,
                               const Call& call, const std::function<std::string()>& summary);
 
-/// Writes the table, prints the summary, and says on standard error what nothing else would say.
+/// Writes the table, prints the summary, and reports on standard error what nothing else reports.
 /// @param found           whether there is something to write.
 /// @param table, summary  compose them; called where there is.
 /// @return the exit status.
@@ -70,7 +71,7 @@ void add_prediction_arguments(CLI::App& command, PredictionArguments& arguments,
                          const Call& call, const std::function<CsvWriter()>& table,
                          const std::function<std::string()>& summary);
 
-/// The same of a curve.
+/// Writes and summarises a curve, as above.
 [[nodiscard]] int finish(const ResponseCurve& curve, const PredictionArguments& arguments,
                          const Call& call, const std::function<CsvWriter()>& table,
                          const std::function<std::string()>& summary);

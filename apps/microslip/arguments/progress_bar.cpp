@@ -46,7 +46,7 @@ class Bar {
   }
 
  private:
-  /// What fits in the width of the terminal, less the last place, where some break the line.
+  /// Line that fits in the width of the terminal, less the last column, where some break the line.
   [[nodiscard]] std::string line(double share, const std::string& figures) const {
     const std::size_t room = terminal_width() - 1;
     const std::size_t text = what_.size() + figures.size() + 4;  // blanks and brackets

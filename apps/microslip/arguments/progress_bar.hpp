@@ -7,8 +7,8 @@
 
 namespace microslip::app {
 
-/// A bar with the share done and the time left, on standard error. An empty function, so that
-/// nobody is told, when that is no terminal or `quiet`.
+/// A bar with the share done and the time left, on standard error. An empty function when standard
+/// error is not a terminal or with `quiet`.
 [[nodiscard]] Progress progress_bar(std::string what, bool quiet);
 
 }  // namespace microslip::app

@@ -17,13 +17,13 @@ namespace microslip::app {
 
 void add_recording_arguments(CLI::App& command, RecordingArguments& arguments) {
   command
-      .add_option("--assume-units", arguments.assumed_units,
-                  "CHANNEL=UNIT: what a channel without unit is in; may be repeated. SI: each one "
-                  "whose quantity the file or its name tells (force, acc1, tip_disp, x, time, ...) "
-                  "is in SI")
+      .add_option(
+          "--assume-units", arguments.assumed_units,
+          "CHANNEL=UNIT: unit of a channel without one; may be repeated. SI: each channel whose "
+          "quantity the file or its name gives (force, acc1, tip_disp, x, time, ...) is in SI")
       ->allow_extra_args(false);
   command.add_flag("--allow-truncated", arguments.allow_truncated,
-                   "Take what is there of a file that was cut");
+                   "Read what is left of a truncated file");
 }
 
 RecordingReadOptions read_options(const RecordingArguments& arguments, Progress progress) {

@@ -11,7 +11,7 @@
 #include "microslip/workflow/reduce/named_recordings.hpp"
 
 /// @file
-/// What the subcommands that read recordings share.
+/// Options common to the subcommands that read recordings.
 
 namespace microslip::app {
 
@@ -31,7 +31,7 @@ void add_recording_arguments(CLI::App& command, RecordingArguments& arguments);
 /// @throws InputError  where it is no frequency above 0.
 [[nodiscard]] std::optional<double> frequency_guess(const std::string& text);
 
-/// On standard error. Nobody may listen: that is no error.
+/// Prints on standard error. A closed stream is not an error.
 void show_warnings(const std::vector<Warning>& warnings);
 
 }  // namespace microslip::app

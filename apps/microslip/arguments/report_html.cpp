@@ -39,7 +39,7 @@ std::string report_html(ExperimentResults results, const Call& call, bool pictur
       return html_report(experiment_report(results));
     } catch (const Error& error) {
       const std::string text = fmt::format(
-          "The pictures for paper are missing; the browser makes those that are printed: {}",
+          "The pictures for print are missing; the browser draws them when printing: {}",
           error.what());
       results.warnings.push_back({"pictures_missing", text});
       std::string html =

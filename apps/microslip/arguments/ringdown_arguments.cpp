@@ -53,7 +53,7 @@ RingDownLevelsOptions level_options(const RingdownArguments& options) {
 void check_damping_alone(const RingdownArguments& options) {
   const auto refuse = [](std::string_view option, const std::string& value) {
     throw InputError(option, value, "must not be given without --modal-mass",
-                     "Without it there is no dissipation to take it from.");
+                     "Without it there is no dissipation to subtract it from.");
   };
   if (parse_quantity("--loss-factor", options.loss_factor, kDimensionless) != 0.0) {
     refuse("--loss-factor", options.loss_factor);
@@ -64,24 +64,22 @@ void check_damping_alone(const RingdownArguments& options) {
 
 void add_analysis_options(CLI::App& command, RingdownArguments& options) {
   command
-      .add_option(
-          "--channel", options.channels,
-          "Displacement, velocity or acceleration; not needed where there is only one. "
-          "Repeated: several sensors of one blow, reduced together; amplitude and modal mass "
-          "are those of the first")
+      .add_option("--channel", options.channels,
+                  "Displacement, velocity or acceleration; not needed where there is only one. "
+                  "Repeated: several sensors of one impact, reduced together; amplitude and modal "
+                  "mass are those of the first")
       ->allow_extra_args(false);
   command.add_option("--frequency", options.frequency,
-                     "Near which the mode is sought: the nearest peak within 10 % [Hz]; else the "
-                     "highest peak of all");
-  command.add_option(
-      "--band", options.band,
-      "LOW:HIGH [Hz]: the mode is inside, and other modes outside are kept out; else "
-      "by the neighbouring modes");
-  command.add_option(
-      "--from", options.from,
-      "Where the free decay begins [s]; else 1.5 periods behind the blow, or where the "
-      "mode begins to fall");
-  command.add_option("--to", options.to, "Where it ends [s]; else where the noise begins");
+                     "Approximate frequency of the mode: the nearest peak within 10 % [Hz]; "
+                     "default: the highest peak");
+  command.add_option("--band", options.band,
+                     "LOW:HIGH [Hz]: pass band that contains the mode and excludes others; "
+                     "default: from the neighbouring modes");
+  command.add_option("--from", options.from,
+                     "Start of the free decay [s]; default: 1.5 periods after the impact, or where "
+                     "the mode begins to decay");
+  command.add_option("--to", options.to,
+                     "End of the free decay [s]; default: where it falls below noise");
   add_recording_arguments(command, options.reading);
 }
 
@@ -96,10 +94,11 @@ void add_level_options(CLI::App& command, RingdownArguments& options) {
       ->capture_default_str();
   command
       .add_option("--loss-factor", options.loss_factor,
-                  "Loss factor of the linear part, taken off the dissipation [1]")
+                  "Loss factor of the linear part, subtracted from the dissipation [1]")
       ->capture_default_str();
-  command.add_option("--stick-frequency", options.stick_frequency,
-                     "The mode's frequency with the joint stuck [Hz]; else the highest measured");
+  command.add_option(
+      "--stick-frequency", options.stick_frequency,
+      "Frequency of the mode with the joint stuck [Hz]; default: the highest measured");
   command.add_option("--joint-stiffness", options.joint_stiffness,
                      "k of the stuck joint [N/m]: gives secant_stiffness too; needs "
                      "--stick-frequency");
@@ -108,19 +107,19 @@ void add_level_options(CLI::App& command, RingdownArguments& options) {
 void add_modal_options(CLI::App& command, RingdownArguments& options) {
   command
       .add_option("--model", options.model,
-                  "Structure with joints, model.toml: its modes are sought near their frequencies "
-                  "with stuck joints, and modal_levels.csv is written")
+                  "Structure with joints, model.toml: its modes are looked for near their "
+                  "frequencies with stuck joints, and modal_levels.csv is written")
       ->type_name(kTomlValue);
   command
       .add_option("--sensor", options.sensors,
-                  "CHANNEL=POINT: the sensor of a channel is at that point of the model; repeated, "
-                  "in place of [[accelerometer]] of model.toml")
+                  "CHANNEL=POINT: the sensor of a channel is at that point of the model; may be "
+                  "repeated; replaces [[accelerometer]] of model.toml")
       ->allow_extra_args(false);
   command
       .add_option("--mode", options.modes,
-                  "Mode, from 1, whose modal levels are written; repeated with --model, else all "
-                  "that can be followed; without --model the number for the table, the (first) "
-                  "sensor being at the response point")
+                  "Mode, from 1, whose modal levels are written; with --model may be repeated, "
+                  "default all that can be tracked; without --model the number for the table, with "
+                  "the (first) sensor at the response point")
       ->check(CLI::Range(1, 100000))
       ->allow_extra_args(false);
 }
@@ -131,7 +130,7 @@ void check_modal(const RingdownArguments& options) {
     if (value.empty()) return;
     throw InputError(option, value, "must not be given with " + std::string(with));
   };
-  constexpr std::string_view kModal = "--mode or --model: modal levels have the damping of all";
+  constexpr std::string_view kModal = "--mode or --model: modal levels have the total damping";
   refuse("--modal-mass", options.modal_mass, kModal);
   if (parse_quantity("--joint-ratio", options.joint_ratio, kDimensionless) != 1.0) {
     refuse("--joint-ratio", options.joint_ratio, kModal);
@@ -139,10 +138,10 @@ void check_modal(const RingdownArguments& options) {
   check_damping_alone(options);
   if (options.model.empty()) {
     refuse("--sensor", options.sensors.empty() ? "" : options.sensors.front(),
-           "no --model, which has the points");
+           "no --model, which defines the points");
     return;
   }
-  constexpr std::string_view kModel = "--model, which says it";
+  constexpr std::string_view kModel = "--model, which specifies it";
   refuse("--channel", options.channels.empty() ? "" : options.channels.front(), kModel);
   refuse("--frequency", options.frequency, kModel);
   refuse("--band", options.band, kModel);

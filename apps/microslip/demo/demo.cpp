@@ -24,7 +24,8 @@ constexpr std::string_view kBeamHeading =
     "BRAKE-REUSS BEAM: eight measured levels of a real bolted joint\n"
     "Amplitude and dissipation are those of the drive point, so the joint below is an equivalent "
     "one\n"
-    "between drive point and ground, linear damping beside it. k is the stiffness of the first "
+    "between drive point and ground, with linear damping in parallel. k is the stiffness of the "
+    "first "
     "bending\n"
     "mode at the drive point: modal mass 1.99 kg times (2 pi 80.38 Hz)^2, the mass from the slope "
     "of\n"
@@ -33,7 +34,7 @@ constexpr std::string_view kBeamHeading =
     "with k and the density with 1/k^2 (examples/brake_reuss_beam/README.md).\n\n";
 
 constexpr std::string_view kRigHeading =
-    "REFERENCE RIG: the whole chain where the truth is known\n"
+    "REFERENCE RIG: the whole chain with a known joint\n"
     "A virtual test at {} levels from 30 mg to 4 g, with shaker, force control and noise; its "
     "records "
     "reduced\n"
@@ -46,7 +47,7 @@ struct DemoOptions {
 int run(const DemoOptions& options, const Call& call) {
   if (options.out.empty() || options.out == "-") {
     throw InputError("--out", "'" + options.out + "'", "must be a folder",
-                     "It gets some hundred files.");
+                     "Some hundred files are written to it.");
   }
   DemoFolder folder(options.out, call);
   const Identification beam = demonstrate_beam(folder);
@@ -79,8 +80,9 @@ int run(const DemoOptions& options, const Call& call) {
 void add_demo(CLI::App& program, Call& call) {
   auto options = std::make_shared<DemoOptions>();
   CLI::App* command = program.add_subcommand(
-      "demo", "The whole chain on a rig whose joint is known, and a measured bolt, with pictures");
-  command->add_option("--out", options->out, "Folder for the results; made if it is not there")
+      "demo",
+      "The whole chain on a rig whose joint is known and on a measured bolted beam, with pictures");
+  command->add_option("--out", options->out, "Folder for the results; created if missing")
       ->type_name(kFolderValue)
       ->capture_default_str();
   command->add_flag("--quiet", call.quiet, "No summary, no progress");

@@ -38,7 +38,7 @@ Identification demonstrate_beam(DemoFolder& folder) {
   folder.add_report(
       {kFolder, "Brake–Reuß beam",
        "Eight measured levels of a bolted joint, as an equivalent joint between drive point and "
-       "ground with linear damping beside it",
+       "ground with linear damping in parallel",
        [](const ExperimentResults& results) -> std::vector<DemoPicture> {
          return {{"dissipation", dissipation_figure(results)},
                  {"density", density_figure(results)}};

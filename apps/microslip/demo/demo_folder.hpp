@@ -56,7 +56,7 @@ class DemoFolder {
                           const IdentificationOptions& options, const std::string& input_name,
                           std::string_view input);
 
-  /// What a table says of its origin: call and hashes of files that were added to the folder.
+  /// Provenance of a table: call and hashes of files that were added to the folder.
   [[nodiscard]] std::string provenance(const std::string& folder,
                                        const std::vector<std::string>& inputs) const;
 

@@ -73,7 +73,7 @@ std::string describe_density(const RigDemonstration& done) {
   text += "\n";
   text += line("density error", fmt::format("{:.2f} % (relative L2 over 5 to 95 % of the range)",
                                             100.0 * density_error(found, truth)));
-  text += line("95 % band", fmt::format("holds the truth on {:.1f} % of that range",
+  text += line("95 % band", fmt::format("contains the truth on {:.1f} % of that range",
                                         100.0 * band_coverage(found, truth)));
   return text;
 }

@@ -9,7 +9,7 @@
 namespace microslip::app {
 namespace {
 
-/// What Markdown would take for emphasis, a tag or a link.
+/// Escapes what Markdown would take for emphasis, a tag or a link.
 std::string markdown(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

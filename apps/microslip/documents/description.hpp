@@ -6,16 +6,16 @@
 #include <vector>
 
 /// @file
-/// What the help says of a program, as plain values: the manual pages, the command reference and
+/// The help of a program as plain values: the manual pages, the command reference and
 /// the completions of the shells are written from it and from nothing else.
 
 namespace microslip::app {
 
-/// What a shell can offer for a value.
+/// Completions that a shell can offer for a value.
 enum class Offer {
   kNothing,  ///< a number
   kChoices,  ///< one of a few words
-  kFiles,    ///< files with one of a few endings, or any where none is told
+  kFiles,    ///< files with one of a few endings, or any where none is given
   kFolders,
 };
 
@@ -68,7 +68,7 @@ struct ProgramDescription {
 /// With a full stop at its end.
 [[nodiscard]] std::string sentence(std::string text);
 
-/// What follows the text of an argument, in sentences: choices, rule, default, other options that
+/// Text after that of an argument, in sentences: choices, rule, default, other options that
 /// it needs or excludes. Empty where there is nothing.
 [[nodiscard]] std::string conditions(const ArgumentDescription& argument);
 

@@ -17,7 +17,7 @@
 
 /// @file
 /// Runs when the program is built: microslip_documents FOLDER makes the texts that come from its
-/// help anew in FOLDER.
+/// help again in FOLDER.
 
 namespace {
 

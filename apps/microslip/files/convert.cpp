@@ -47,8 +47,9 @@ Recordings read(const ConvertOptions& options, bool quiet) {
 
 void choose_recording(const ConvertOptions& options, std::vector<Recording>& recordings) {
   if (options.recording.empty()) return;
-  const std::uint64_t number = parse_whole_number(
-      "--recording", options.recording, 1, recordings.size(), "--list shows what the file holds.");
+  const std::uint64_t number =
+      parse_whole_number("--recording", options.recording, 1, recordings.size(),
+                         "--list shows the contents of the file.");
   recordings = {std::move(recordings[number - 1])};
 }
 
@@ -103,22 +104,24 @@ int convert(const ConvertOptions& options, bool quiet) {
 
 void add_options(CLI::App& command, ConvertOptions& options) {
   command
-      .add_option("in", options.in,
-                  "Recordings: CSV, universal file (UFF), MATLAB or HDF5, told by the content; "
-                  "FILE.mat:VARIABLE for a part of a MATLAB file; - is standard input")
+      .add_option(
+          "in", options.in,
+          "Recordings: CSV, universal file (UFF), MATLAB or HDF5, detected from the content; "
+          "FILE.mat:VARIABLE for a part of a MATLAB file; - is standard input")
       ->required()
       ->type_name(kRecordingValue);
   command
       .add_option("out", options.out,
-                  "File to write; .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5 tells the format; "
+                  "File to write; .csv, .uff, .unv, .uf, .mat, .h5 or .hdf5 sets the format; "
                   "- is standard output, in CSV")
       ->type_name(kRecordingValue);
-  command.add_flag("--list", options.list, "Show what the file holds, and write nothing");
+  command.add_flag("--list", options.list, "List the contents of the file and write nothing");
   command
-      .add_option("--format", options.format, "Format to write, whatever the name; uff is binary")
+      .add_option("--format", options.format,
+                  "Format to write, regardless of the name; uff is binary")
       ->check(CLI::IsMember({"csv", "uff", "uff-ascii", "mat", "h5"}));
   command.add_option("--recording", options.recording,
-                     "Number of the one to take, from 1, where the file holds several");
+                     "Number of the recording to take, from 1, where the file has several");
   command.add_option("--channel", options.channels, "Channel to take; may be repeated")
       ->allow_extra_args(false);
   add_recording_arguments(command, options.reading);
@@ -129,7 +132,7 @@ void add_options(CLI::App& command, ConvertOptions& options) {
 void add_convert(CLI::App& program, Call& call) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* command = program.add_subcommand(
-      "convert", "Recordings from one format to another, or a list of what a file holds");
+      "convert", "Convert recordings from one format to another, or list the contents of a file");
   add_options(*command, *options);
   command->add_flag("--quiet", call.quiet, "No summary, no warnings, no progress");
   add_examples(*command,

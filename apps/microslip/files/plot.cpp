@@ -46,7 +46,7 @@ int run(const PlotArguments& options, const Call& call) {
     fmt::print("{}: {}, {:.0f} mm wide, {:.0f} mm high\n", out, figure.name, picture.width_mm,
                picture.height_mm);
     if (input.left_out > 0) {
-      fmt::print("{} further channels are not drawn: a figure holds eight of a quantity\n",
+      fmt::print("{} further channels are not drawn: a figure shows at most eight of a quantity\n",
                  input.left_out);
     }
   }
@@ -58,7 +58,7 @@ int run(const PlotArguments& options, const Call& call) {
 void add_plot(CLI::App& program, Call& call) {
   auto options = std::make_shared<PlotArguments>();
   CLI::App* command = program.add_subcommand(
-      "plot", "A figure for a paper, of what a folder holds of a test or of one result");
+      "plot", "Draw a figure for a paper, of a test folder or of one result");
   add_plot_arguments(*command, *options);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip plot test --figure energies --format pdf",

@@ -51,7 +51,7 @@ int run(const ReportOptions& options, const Call& call) {
       read_experiment(options.folder, options.records, progress_bar("recordings", call.quiet));
   if (results.is_empty()) {
     throw InputError("DIR", "'" + options.folder + "'",
-                     "must hold levels.csv, joint.json, recordings level_*, verification.csv, "
+                     "must contain levels.csv, joint.json, recordings level_*, verification.csv, "
                      "comparison.csv, force_control.csv or what microslip calibrate or campaign "
                      "writes",
                      remedy_for(options.folder, results));
@@ -78,8 +78,8 @@ int run(const ReportOptions& options, const Call& call) {
 
 void add_report(CLI::App& program, Call& call) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = program.add_subcommand(
-      "report", "An interactive HTML report of what a folder holds of a test");
+  CLI::App* command =
+      program.add_subcommand("report", "Write an interactive HTML report of a test folder");
   command
       ->add_option(
           "DIR", options->folder,
@@ -87,24 +87,26 @@ void add_report(CLI::App& program, Call& call) {
           "force and displacement that joint.json was identified from; recordings "
           "level_* and before_control_*, also in recordings/; force_control.csv, truth.csv, "
           "truth_joint.json; verification.csv, verification_histories.csv, "
-          "verification_harmonics.csv; comparison.csv of verify by a model; what campaign wrote, "
-          "campaign.csv, sessions.csv, conditions.csv, leave_one_out.csv; frf.csv, backbone.csv, "
+          "verification_harmonics.csv; comparison.csv of verify by a model; the tables of "
+          "campaign, campaign.csv, sessions.csv, conditions.csv, leave_one_out.csv; frf.csv, "
+          "backbone.csv, "
           "curve.csv, march.csv, ensemble.csv; or calibration.json, calibration.csv, "
           "identifiability.csv")
       ->required()
       ->type_name(kFolderValue);
-  command->add_option("--out", options->out, "The report: one HTML file; - is standard output")
+  command->add_option("--out", options->out, "Report to write, one HTML file; - is standard output")
       ->required()
       ->type_name(kHtmlValue);
-  command->add_option("--title", options->title, "Its title; without one, the name of the folder");
+  command->add_option("--title", options->title,
+                      "Title of the report; default: the name of the folder");
   command
       ->add_option("--records", options->records,
-                   "So many recordings are shown over time; all of a rig are by their harmonics "
-                   "where a page holds them")
+                   "Number of recordings shown over time; all recordings of a rig are shown by "
+                   "their harmonics if they fit on the page")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command->add_flag("--no-pictures", options->no_pictures,
-                    "Without the pictures for paper that gnuplot draws: a smaller file");
+                    "Omit the pictures for print that gnuplot draws: a smaller file");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip report test --out report.html"});
   command->callback(

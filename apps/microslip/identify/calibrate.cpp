@@ -83,36 +83,35 @@ int run(const CalibrateArguments& arguments, const Call& call) {
 
 void add_method_options(CLI::App& command, CalibrateArguments& arguments) {
   command
-      .add_option("--frequency", arguments.frequency,
-                  "What frequencies of the levels count for. change: their change over the levels "
-                  "of each mode, as the model may be off by an offset; absolute: themselves; "
-                  "ignore: nothing")
+      .add_option(
+          "--frequency", arguments.frequency,
+          "Use of the frequencies of the levels. change: their change over the levels of each "
+          "mode, as the model may have an offset; absolute: their values; ignore: not used")
       ->check(CLI::IsMember({"change", "absolute", "ignore"}))
       ->capture_default_str();
   command
       .add_option("--stiffness", arguments.stiffness,
-                  "Of the joints to be found. given: stiffness_N_per_m of the model; fit: found "
-                  "too, which needs --frequency absolute")
+                  "Stiffness of the joints to be identified. given: stiffness_N_per_m of the "
+                  "model; fit: identified too, needs --frequency absolute")
       ->check(CLI::IsMember({"given", "fit"}))
       ->capture_default_str();
   command
-      .add_option("--shapes", arguments.shapes,
-                  "Displacements of the joints that no sensor shows. found: of the model with the "
-                  "joints found; stuck: of the stuck structure, which is wrong where joints slip, "
-                  "for comparison")
+      .add_option(
+          "--shapes", arguments.shapes,
+          "Joint displacements that are not measured. found: of the model with the identified "
+          "joints; stuck: of the stuck structure, wrong where joints slip, for comparison")
       ->check(CLI::IsMember({"found", "stuck"}))
       ->capture_default_str();
   command
-      .add_option(
-          "--edges", arguments.edges,
-          "Forces at which the density of a joint may jump, where the levels make them very "
-          "likely: 20 for each joint are needed; none goes without")
+      .add_option("--edges", arguments.edges,
+                  "sought: jumps of the density of a joint at slip forces that the levels make "
+                  "very likely (20 levels for each joint are needed); none: no jumps")
       ->check(CLI::IsMember({"sought", "none"}))
       ->capture_default_str();
   command
       .add_option("--forcing", arguments.forcing,
-                  "What drove the levels: excitation, that of the model, at phase resonance; "
-                  "modal, nothing, as in a free decay")
+                  "Excitation of the levels. excitation: that of the model, at phase resonance; "
+                  "modal: none, as in a free decay")
       ->check(CLI::IsMember({"excitation", "modal"}))
       ->capture_default_str();
   command.add_option("--harmonics", arguments.harmonics, "Harmonics of the vibrations")
@@ -120,17 +119,15 @@ void add_method_options(CLI::App& command, CalibrateArguments& arguments) {
       ->capture_default_str();
   command
       .add_option("--samples", arguments.samples,
-                  "Draws of what the levels leave possible: their mean is what is found, and they "
-                  "give the bands")
+                  "Posterior draws: their mean is the result, their spread gives the bands")
       ->type_name("UINT")
       ->capture_default_str();
   command.add_option("--seed", arguments.seed, "Seed of the draws")
       ->type_name("UINT")
       ->capture_default_str();
-  command.add_flag(
-      "--keep-samples", arguments.calibration.keep_draws,
-      "Write the draws of each joint too, NAME_samples.h5; draw i of one joint belongs "
-      "to draw i of the others");
+  command.add_flag("--keep-samples", arguments.calibration.keep_draws,
+                   "Also write the draws of each joint, NAME_samples.h5; draw i of one joint "
+                   "belongs to draw i of the others");
 }
 
 }  // namespace
@@ -142,21 +139,21 @@ void add_calibrate(CLI::App& program, Call& call) {
       "Slip-force densities of several joints of a structure from levels of its modes");
   command
       ->add_option("model", arguments->calibration.model,
-                   "Model of the structure, model.toml; joints to be found have stiffness_N_per_m "
-                   "in place of file")
+                   "Model of the structure, model.toml; joints to be identified have "
+                   "stiffness_N_per_m in place of file")
       ->required()
       ->type_name(kTomlValue);
   command
       ->add_option("levels", arguments->calibration.levels,
-                   "Levels, one row each: mode [1], displacement [m] at the response point, "
-                   "dissipation [J] of all joints or damping_ratio [1]; used when there: frequency "
-                   "[Hz], amplitude_NAME [m], dissipation_NAME [J] of a joint, and _std of each")
+                   "Levels, one row per level: mode [1], displacement [m] at the response point, "
+                   "dissipation [J] of all joints or damping_ratio [1]; optional: frequency [Hz], "
+                   "amplitude_NAME [m], dissipation_NAME [J] of a joint, and _std of each")
       ->required()
       ->type_name(kCsvValue);
   command
       ->add_option("--out", arguments->calibration.out,
-                   "Folder to write to, made where it is missing: NAME.json of each joint, "
-                   "model.toml that predicts, calibration.csv, identifiability.csv")
+                   "Folder to write to, created if missing: NAME.json of each joint, model.toml "
+                   "for predictions, calibration.csv, identifiability.csv")
       ->required()
       ->type_name(kFolderValue);
   add_method_options(*command, *arguments);

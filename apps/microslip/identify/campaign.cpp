@@ -78,29 +78,29 @@ int run(CampaignArguments arguments, const Call& call) {
 
 void add_campaign(CLI::App& program, Call& call) {
   auto options = std::make_shared<CampaignArguments>();
-  CLI::App* command = program.add_subcommand(
-      "campaign",
-      "Several tests of one structure: its joints from some, predictions of the others, and which "
-      "contradict which");
+  CLI::App* command =
+      program.add_subcommand("campaign",
+                             "Several tests of one structure: identify its joints from some, "
+                             "predict the others, and report contradictions");
   command
       ->add_option("campaign", options->run.campaign,
-                   "Tests, sessions and what they are for, campaign.toml")
+                   "Tests, their sessions and their use, campaign.toml")
       ->required()
       ->type_name(kTomlValue);
   command
       ->add_option(
           "--out", options->run.out,
-          "Folder to write to, made where it is missing: joint.json, model.toml, "
+          "Folder to write to, created if missing: joint.json, model.toml, "
           "levels.csv and NAME_levels.csv of tests that are reduced, campaign.csv, "
-          "sessions.csv; with draws joint_samples.h5; of a model modal_levels.csv and what "
-          "calibrate writes in place of levels and joint; of predicted tests comparison.csv; "
-          "conditions.csv of tests that say some; leave_one_out.csv where the campaign asks "
-          "for it")
+          "sessions.csv; with draws joint_samples.h5; of a model modal_levels.csv and the output "
+          "of calibrate in place of levels and joint; of predicted tests comparison.csv; "
+          "conditions.csv if tests specify conditions; leave_one_out.csv if the campaign requests "
+          "it")
       ->required()
       ->type_name(kFolderValue);
   command
       ->add_option("--picture", options->picture,
-                   "The predicted tests, measured and predicted, as .svg, .png or .pdf")
+                   "Picture of the predicted tests, measured and predicted, as .svg, .png or .pdf")
       ->type_name(kPictureValue);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command,

@@ -61,7 +61,7 @@ int run(const IdentifyArguments& arguments, const Call& call) {
   check_outputs(outputs);
   const bool keep = !arguments.samples_out.empty();
   if (arguments.samples_out == "-") {
-    throw InputError("--samples-out", "'-'", "must be a file: what is written is not text",
+    throw InputError("--samples-out", "'-'", "must be a file: HDF5 is not text",
                      "Name it, for instance joint_samples.h5.");
   }
   const EvidenceFiles files = evidence_files(arguments);
@@ -89,15 +89,14 @@ void add_identify(CLI::App& program, Call& call) {
   auto options = std::make_shared<IdentifyArguments>();
   CLI::App* command = program.add_subcommand(
       "identify",
-      "Slip-force density of a joint from its measured dissipation, or from forces on a path");
+      "Slip-force density of a joint from its measured dissipation, or from forces along a path");
   command
-      ->add_option(
-          "evidence", options->evidence,
-          "Levels: CSV, one row a level: amplitude [m], dissipation [J]; used when there: "
-          "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std; "
-          "resonance_frequency or frequency [Hz], which the joint is held against. Or "
-          "recordings of force and displacement of the joint over time; told by the content. "
-          "Several files, of both kinds or one, are taken together; see --assemblies")
+      ->add_option("evidence", options->evidence,
+                   "Levels: CSV, one row per level: amplitude [m], dissipation [J]; optional: "
+                   "amplitude_std, dissipation_std, secant_stiffness [N/m], secant_stiffness_std; "
+                   "resonance_frequency or frequency [Hz], with which the joint is compared. Or "
+                   "recordings of force and displacement of the joint over time, detected from the "
+                   "content. Several files, of one kind or both, are combined; see --assemblies")
       ->required()
       ->type_name(kRecordingValue);
   add_identify_arguments(*command, *options);

@@ -52,15 +52,15 @@ void add_levels(CLI::App& program, Call& call) {
       ->type_name(kRecordingValue);
   command
       ->add_option("--out", arguments->out,
-                   "Levels to write as CSV, one row a closed cycle: amplitude [m], dissipation "
-                   "[J], secant_stiffness [N/m], their standard deviations (_std) where there is "
+                   "Levels to write as CSV, one row per closed cycle: amplitude [m], dissipation "
+                   "[J], secant_stiffness [N/m], their standard deviations (_std) if there is "
                    "noise, source, start_time [s], end_time [s], flags; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command->add_option("--force", arguments->options.channels.force,
-                      "Channel of the force; else the only force there is");
+                      "Channel of the force; not needed if there is only one");
   command->add_option("--displacement", arguments->options.channels.displacement,
-                      "Channel of the displacement; else the only one there is");
+                      "Channel of the displacement; not needed if there is only one");
   add_recording_arguments(*command, arguments->reading);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command,

@@ -42,25 +42,25 @@ void add_measure(CLI::App& program, Call& call) {
   auto options = std::make_shared<MeasureOptions>();
   CLI::App* command = program.add_subcommand(
       "measure",
-      "Virtual test of a rig whose joint is known: records at all levels, and the truth");
+      "Virtual test of a rig with a known joint: records at all levels, and the exact results");
   command
       ->add_option("rig", options->rig,
                    "Description of the test, rig.toml, with [test] and the true joint in [contact]")
       ->required()
       ->type_name(kTomlValue);
-  command->add_option("--out", options->out, "Folder to write to; made where it is missing")
+  command->add_option("--out", options->out, "Folder to write to; created if missing")
       ->required()
       ->type_name(kFolderValue);
   command->add_option("--format", options->format, "Format of the records; uff is binary")
       ->check(CLI::IsMember({"csv", "uff", "uff-ascii", "mat", "h5"}))
       ->capture_default_str();
-  command->add_option("--seed", options->seed_text, "Of the noise and of the phases")
+  command->add_option("--seed", options->seed_text, "Seed of the noise and of the phases")
       ->capture_default_str();
   auto* no_shaker = command->add_flag("--no-shaker", options->no_shaker,
-                                      "Drive by a pure force, without shaker and force control");
+                                      "Drive with a pure force, without shaker and force control");
   command
       ->add_flag("--before-control", options->before_control,
-                 "Write the records under a sinusoidal voltage too: before_control_…")
+                 "Also write the records under a sinusoidal voltage: before_control_…")
       ->excludes(no_shaker);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip measure rig.toml --out test",

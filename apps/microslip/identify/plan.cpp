@@ -44,7 +44,7 @@ struct PlanOptions {
 
 constexpr std::string_view kPeak = "peak:";
 
-/// What only a peak needs is refused elsewhere, not ignored, and needed there.
+/// Options of the target peak are required with it and refused with others.
 PlannedPeak peak_of(const PlanOptions& options) {
   const bool asked = options.target.starts_with(kPeak);
   const auto check = [&](std::string_view option, const std::string& value) {
@@ -53,7 +53,7 @@ PlannedPeak peak_of(const PlanOptions& options) {
                        "must be given with --target peak:MODEL.toml");
     }
     if (!asked && !value.empty()) {
-      throw InputError(option, in_quotes(value), "belongs to --target peak:MODEL.toml",
+      throw InputError(option, in_quotes(value), "applies to --target peak:MODEL.toml",
                        "Leave it out.");
     }
   };
@@ -64,7 +64,7 @@ PlannedPeak peak_of(const PlanOptions& options) {
     return {};
   }
   if (!options.range.empty()) {
-    throw InputError("--range", in_quotes(options.range), "belongs to the targets density and area",
+    throw InputError("--range", in_quotes(options.range), "applies to the targets density and area",
                      "Leave it out.");
   }
   PlannedPeak peak{.model = options.target.substr(kPeak.size()), .joint = options.joint};
@@ -92,7 +92,7 @@ LevelPlanning planning_of(const PlanOptions& options, bool quiet) {
   }
   if (!options.range.empty()) all.range = parse_interval("--range", options.range, kForce);
   all.draws = parse_whole_number("--draws", options.draws, 100, LevelPlanning::kMostDraws,
-                                 "1000 tell expected widths to some 3 %.");
+                                 "1000 give expected widths to about 3 %.");
   all.seed =
       parse_whole_number("--seed", options.seed, 0, std::numeric_limits<std::uint64_t>::max());
   all.progress = progress_bar("draws", quiet);
@@ -116,30 +116,33 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
                      "k of the stuck joint, in N/m or with a unit: slip forces are k times A");
   command
       .add_option("--target", options.target,
-                  "What the levels are to tell: density, its mean width over --range; area, the "
-                  "share of the stiffness that slips there; peak:MODEL.toml, the height of the "
-                  "highest peak of that structure")
+                  "Quantity whose uncertainty the levels reduce. density: its mean band width over "
+                  "--range; area: the slipping fraction of k there; peak:MODEL.toml: the height of "
+                  "the highest peak of that structure")
       ->capture_default_str();
-  command.add_option("--count", options.count, "So many levels, repeats of one amplitude included")
+  command
+      .add_option("--count", options.count, "Number of levels, including repeats of one amplitude")
       ->capture_default_str();
-  command.add_option(
-      "--amplitude", options.amplitude,
-      "FROM:TO, between which levels may be measured, in m or with units; without it "
-      "the lowest and the highest that are there. Beyond these the density is as "
-      "smooth as below, and no more is known of it");
+  command.add_option("--amplitude", options.amplitude,
+                     "FROM:TO, range of the amplitudes that can be measured, in m or with units; "
+                     "default: from the lowest to the highest level. Beyond these the density is "
+                     "only known to be as smooth as below");
   command.add_option("--range", options.range,
-                     "FROM:TO of slip forces, in N or with units; without it k times --amplitude");
+                     "FROM:TO of slip forces, in N or with units; default: k times --amplitude");
   command.add_option("--force", options.force,
                      "Peak: amplitude of the force on the structure, in N or with a unit");
   command.add_option("--frequency", options.frequency,
-                     "Peak: FROM:TO where it is sought, in Hz or with units");
+                     "Peak: FROM:TO of the frequencies searched, in Hz or with units");
   command.add_option("--joint", options.joint,
-                     "Peak: name of the joint of the model that the levels are of, where it has "
-                     "several. The levels say what it is, not its file");
-  command.add_option("--draws", options.draws, "Draws of the density that the plan rests on")
+                     "Peak: name of the model joint that the levels are of, if it has several. The "
+                     "levels determine this joint, not its file");
+  command
+      .add_option("--draws", options.draws,
+                  "Posterior draws of the density on which the plan is based")
       ->type_name("UINT")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "Of the draws: the same seed, the same draws")
+  command
+      .add_option("--seed", options.seed, "Seed of the draws; the same seed gives the same draws")
       ->type_name("UINT")
       ->capture_default_str();
 }
@@ -149,15 +152,16 @@ void add_plan_options(CLI::App& command, PlanOptions& options) {
 void add_plan(CLI::App& program, Call& call) {
   auto options = std::make_shared<PlanOptions>();
   CLI::App* command = program.add_subcommand(
-      "plan", "Which levels to measure next, and how much narrower a result will be with them");
-  command->add_option("levels", options->levels, "Levels that are there, as identify reads them")
+      "plan", "Levels to measure next, and by how much they narrow the band of a result");
+  command->add_option("levels", options->levels, "Levels measured so far, as identify reads them")
       ->required()
       ->type_name(kCsvValue);
   add_plan_options(*command, *options);
   command
-      ->add_option("--out", options->out,
-                   "CSV to write: rank [1], amplitude [m], repeats [1], width_before, width_after, "
-                   "width_endless (were that amplitude repeated for ever); - is standard output")
+      ->add_option(
+          "--out", options->out,
+          "CSV to write: rank [1], amplitude [m], repeats [1], width_before, width_after, "
+          "width_endless (limit if that amplitude were repeated without end); - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");

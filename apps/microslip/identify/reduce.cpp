@@ -42,7 +42,7 @@ void refuse(std::string_view option, std::string_view value, std::string_view of
 /// Options that only one of the two descriptions of a test has a use for.
 void check_use(const ReduceOptions& options, bool is_model) {
   if (is_model) {
-    const std::string_view with = "with a model.toml, which has its modes and no vibrometer";
+    const std::string_view with = "with a model.toml, which has its own modes and no vibrometer";
     if (options.reduction.modes > 0) {
       refuse("--modes", std::to_string(options.reduction.modes), with);
     }
@@ -81,7 +81,7 @@ int run(ReduceOptions options, const Call& call) {
   options.reduction.fit.frequency_guess = frequency_guess(options.frequency);
   options.reading = read_options(options.arguments);
   options.progress = progress_bar("records", call.quiet);
-  // What comes through a pipe can be read only once: it is a rig.
+  // A pipe can be read only once: it is taken as a rig.
   const bool is_model = options.rig != "-" && file_kind(read_kind_head(options.rig)) == kModelKind;
   check_use(options, is_model);
   if (is_model) return run_of_model(options, call);
@@ -105,17 +105,18 @@ void add_reduce(CLI::App& program, Call& call) {
                              "Levels from steady recordings: of a frictional-support test, or of "
                              "the modes of a structure with several joints");
   command
-      ->add_option(
-          "rig", options->rig,
-          "Description of the test, rig.toml; or a structure with joints, model.toml, told "
-          "by its schema: then modal levels with what each joint does are written")
+      ->add_option("rig", options->rig,
+                   "Description of the test, rig.toml; or a structure with joints, model.toml, "
+                   "detected from its schema: then modal levels with amplitude and dissipation of "
+                   "each joint are written")
       ->required()
       ->type_name(kTomlValue);
   command
-      ->add_option("recordings", options->recordings,
-                   "Steady records, one a level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
-                   "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
-                   "FILE.mat:VARIABLE with such fields")
+      ->add_option(
+          "recordings", options->recordings,
+          "Steady records, one per level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
+          "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
+          "FILE.mat:VARIABLE with such fields")
       ->required()
       ->type_name(kRecordingValue);
   command
@@ -124,8 +125,8 @@ void add_reduce(CLI::App& program, Call& call) {
       ->required()
       ->type_name(kCsvValue);
   command->add_option("--frequency", options->frequency,
-                      "Frequency of the drive, to 3 %, in Hz; found if it is not given");
-  command->add_option("--order", options->order, "Harmonics that are fitted")
+                      "Drive frequency, to within 3 %, in Hz; default: detected");
+  command->add_option("--order", options->order, "Number of harmonics fitted")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   command
@@ -137,20 +138,20 @@ void add_reduce(CLI::App& program, Call& call) {
   command
       ->add_option("--sensor", options->sensors,
                    "CHANNEL=POINT: the accelerometer of a channel is at that point of the model; "
-                   "repeated, in place of [[accelerometer]] of model.toml. As many as joints, or "
-                   "more, where the joints move them")
+                   "may be repeated; replaces [[accelerometer]] of model.toml. At least as many as "
+                   "joints, at points that the joints move")
       ->allow_extra_args(false);
   command->add_option("--force", options->force,
-                      "Channel of the force, with a model; else that of its [excitation], or the "
-                      "only one of a force");
+                      "With a model: channel of the force; default: that of its [excitation], or "
+                      "the only force channel");
   command
       ->add_option("--mode", options->mode,
-                   "Mode of the model, from 1; else the one whose frequency with stuck joints "
+                   "Mode of the model, from 1; default: the one whose frequency with stuck joints "
                    "is nearest to that of the record")
       ->check(CLI::Range(1, 100000));
   add_recording_arguments(*command, options->arguments);
   command->add_flag("--skip-faulty", options->skip_faulty,
-                    "Leave out what cannot be read or reduced, and say so");
+                    "Leave out, and list, what cannot be read or reduced");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip reduce rig.toml level_*.csv --out levels.csv",
                           "microslip reduce rig.toml test.h5 --no-vibrometer --out levels.csv",

@@ -41,7 +41,7 @@ int run(const RingdownArguments& arguments, const Call& call) {
   const ReducedDecay reduced = reduce_decay(options);
   if (reduced.levels.amplitude.empty()) {
     throw InputError("--loss-factor", options.levels->loss_factor,
-                     "must leave some loss to the joint, and exceeds all that was measured");
+                     "must leave some loss to the joint, but exceeds all measured losses");
   }
   write_file(arguments.out, levels_text(reduced, call.command_line));
   if (!call.quiet) {

@@ -99,20 +99,20 @@ void name_inputs(VerifyOptions& options) {
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());
   const auto joint = std::ranges::find(options.recordings, kJointKind, kind_of_file);
   if (joint != options.recordings.end()) {
-    throw InputError(*joint, known_kind(kJointKind)->words, "must be named right behind rig.toml",
-                     fmt::format("Name {} behind it.", options.joint));
+    throw InputError(*joint, known_kind(kJointKind)->words, "must be named directly after rig.toml",
+                     fmt::format("Name {} after it.", options.joint));
   }
   const KnownKind* const known = known_kind(kind_of_file(options.joint));
   if (known != nullptr && known->kind != kJointKind) {
     require_rig();
     throw InputError(options.joint, known->words,
-                     "must be a joint.json behind a rig.toml, and its records behind that",
-                     "A model.toml in place of the rig.toml takes sweeps and ring-downs.");
+                     "must be a joint.json after a rig.toml, followed by its records",
+                     "Use a model.toml instead of the rig.toml for sweeps and ring-downs.");
   }
   if (!options.recordings.empty()) return;
   require_rig();
   throw InputError("recordings", InputState{"missing"},
-                   "must be named behind rig.toml and joint.json",
+                   "must be named after rig.toml and joint.json",
                    "For instance: microslip verify rig.toml joint.json level_01.csv --out "
                    "verification.csv");
 }
@@ -142,7 +142,7 @@ int run_of_rig(VerifyOptions options, const Call& call) {
   return batch.converged() && !failed ? kDone : kNotConverged;
 }
 
-/// Options that belong to a rig alone, and to tests of a model alone.
+/// Options for a rig only, and for tests of a model only.
 constexpr std::array kOfRig{"--harmonics-csv",  "--histories",     "--modes",
                             "--sine",           "--frequency",     "--cycles",
                             "--no-vibrometer",  "--frequency-std", "--loss-factor-std",
@@ -164,7 +164,7 @@ void check_cycles(const VerifyOptions& options, const CLI::App& command) {
   const bool shown = !options.tables.histories.empty() || !options.picture.empty();
   if (shown || command.get_option("--cycles")->count() == 0) return;
   throw InputError("--cycles", options.verification.history_cycles,
-                   "changes nothing: it is the length of what --histories and --picture show",
+                   "has no effect: it is the length of the histories of --histories and --picture",
                    "Leave it out, or ask for one of them.");
 }
 
@@ -172,7 +172,7 @@ bool predicts(std::string_view kind) {
   return kind == kRigKind || kind == kModelKind || kind == kJointKind;
 }
 
-/// What is known to be another file is said, before what lacks behind it.
+/// Reports a file of another kind before missing arguments after it.
 void check_description(const VerifyOptions& options, std::string_view kind) {
   const KnownKind* const known = known_kind(kind);
   if (known == nullptr || predicts(kind)) return;
@@ -180,13 +180,13 @@ void check_description(const VerifyOptions& options, std::string_view kind) {
       options.tests, [](const std::string& test) { return predicts(kind_of_file(test)); });
   throw InputError(options.rig, known->words, "must be a rig.toml, model.toml or joint.json",
                    first == options.tests.end()
-                       ? std::string("What predicts comes first, tests behind it.")
-                       : fmt::format("What predicts comes first: name {} before it.", *first));
+                       ? std::string("Name the predicting file first, then the tests.")
+                       : fmt::format("Name the predicting file first: {} before it.", *first));
 }
 
 int run(const VerifyOptions& options, const CLI::App& command, const Call& call) {
-  // What comes through a pipe can be read only once: it is a rig. So is what cannot be read, which
-  // who reads the rig says, behind what is wrong with the outputs.
+  // A pipe can be read only once: it is taken as a rig, as is an unreadable file, which the reader
+  // of the rig reports after faults of the outputs.
   const std::string kind = kind_of_file(options.rig);
   check_description(options, kind);
   if (kind != kModelKind && kind != kJointKind) {
@@ -194,7 +194,8 @@ int run(const VerifyOptions& options, const CLI::App& command, const Call& call)
     check_cycles(options, command);
     return run_of_rig(options, call);
   }
-  refuse_options(command, kOfRig, "with a model.toml or joint.json: it is of records of a rig");
+  refuse_options(command, kOfRig,
+                 "with a model.toml or joint.json: it applies to records of a rig");
   return run_of_tests({.model = options.rig,
                        .tests = options.tests,
                        .out = options.tables.table,
@@ -208,10 +209,11 @@ int run(const VerifyOptions& options, const CLI::App& command, const Call& call)
 
 void add_output_options(CLI::App& command, VerifyOptions& options) {
   command
-      .add_option("--out", options.tables.table,
-                  "CSV to write, of a rig a row a record and channel: NRMSE [1], noise_share [1], "
-                  "amplitude_ratio [1], phase_error [rad], ...; of tests of a model a row a value: "
-                  "quantity, measured, predicted, lower, upper, verdict, ...; - is standard output")
+      .add_option(
+          "--out", options.tables.table,
+          "CSV to write. Rig: one row per record and channel: NRMSE [1], noise_share [1], "
+          "amplitude_ratio [1], phase_error [rad], ...; tests of a model: one row per value: "
+          "quantity, measured, predicted, lower, upper, verdict, ...; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   command
@@ -236,64 +238,67 @@ void add_model_options(CLI::App& command, VerifyOptions& options) {
       ->check(CLI::Range(1, 40))
       ->capture_default_str();
   command
-      .add_option(
-          "--harmonics", options.harmonics,
-          "Harmonics that are fitted and compared, 10 without it; of tests of a model those "
-          "of its motion, 5 without it")
+      .add_option("--harmonics", options.harmonics,
+                  "Number of harmonics fitted and compared, default 10; for tests of a model those "
+                  "of its motion, default 5")
       ->check(CLI::Range(1, 100));
-  command.add_flag("--sine", options.verification.sine,
-                   "Drive the model by a pure sine, not with the recorded harmonics of the force");
+  command.add_flag(
+      "--sine", options.verification.sine,
+      "Drive the model with a pure sine, not with the recorded harmonics of the force");
   command.add_option("--frequency", options.frequency,
-                     "Frequency of the drive, to 3 %, in Hz; found if it is not given");
+                     "Drive frequency, to within 3 %, in Hz; default: detected");
   command
       .add_option("--cycles", options.verification.history_cycles,
                   "Length of the histories, in cycles")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str();
   command.add_flag("--no-vibrometer", options.no_vibrometer,
-                   "Leave the vibrometer out, even if there is one");
+                   "Do not use the vibrometer, even if there is one");
 }
 
 void add_rig_draws(CLI::App& command, VerifyOptions& options) {
   add_joint_draw_arguments(
       command, options.drawn,
       "predicted_response_lower and predicted_response_upper [m/s^2] at the recorded force, the "
-      "same of the frequency there, of the joint's amplitude and of the energy input, and 1 or 0 "
-      "for whether what was measured lies inside; of tests of a model lower, upper and verdict");
+      "band of the frequency there, of the joint's amplitude and of the energy input, and 1 or 0 "
+      "for whether the measured value lies inside; tests of a model: lower, upper and verdict");
   add_correlation_argument(command, options.drawn);
   CLI::Option* draws = command.get_option("--draws");
   const auto add = [&](const char* name, std::string& value, const char* text) {
     command.add_option(name, value, text)->needs(draws)->capture_default_str();
   };
   add("--frequency-std", options.frequency_std,
-      "Relative standard deviation of each frequency of the rig without the joint's slip");
-  add("--loss-factor-std", options.loss_factor_std, "The same of each loss factor of the rig");
-  add("--force-gain-std", options.force_gain_std, "The same of the reading of the force");
+      "Relative standard deviation of each frequency of the rig without slip");
+  add("--loss-factor-std", options.loss_factor_std,
+      "Relative standard deviation of each loss factor of the rig");
+  add("--force-gain-std", options.force_gain_std,
+      "Relative standard deviation of the gain of the force sensor");
   add("--acceleration-gain-std", options.acceleration_gain_std,
-      "The same of the readings of the accelerometers, of all alike");
+      "Relative standard deviation of the gain common to all accelerometers");
 }
 
 }  // namespace
 
 void add_verify(CLI::App& program, Call& call) {
   auto options = std::make_shared<VerifyOptions>();
-  CLI::App* command = program.add_subcommand(
-      "verify",
-      "Tests against what is predicted: recordings of a frictional-support test by its joint, or "
-      "sweeps, ring-downs and loops by a model");
+  CLI::App* command =
+      program.add_subcommand("verify",
+                             "Compare tests with predictions: recordings of a frictional-support "
+                             "test by its joint, or sweeps, ring-downs and loops by a model");
   command
       ->add_option("description", options->rig,
                    "Description of a frictional-support test, rig.toml; or a structure with "
-                   "joints, model.toml; or a joint by itself, joint.json, for loops")
+                   "joints, model.toml; or a single joint, joint.json, for loops")
       ->required()
       ->type_name(kDescriptionValue);
   command
-      ->add_option("tests", options->tests,
-                   "With a rig.toml its joint, joint.json, and steady records, one a level (CSV, "
-                   "UFF, MAT, HDF5). Else tests: stepped-sine tables (CSV with frequency [Hz], "
-                   "force [N], acceleration [m/s^2], phase [rad], or FILE.mat:VARIABLE with such "
-                   "fields), modal_levels.csv, recordings of a ring-down or of force and "
-                   "displacement")
+      ->add_option(
+          "tests", options->tests,
+          "With a rig.toml: its joint, joint.json, and steady records, one per level (CSV, UFF, "
+          "MAT, HDF5). Otherwise tests: stepped-sine tables (CSV with frequency [Hz], "
+          "force [N], acceleration [m/s^2], phase [rad], or FILE.mat:VARIABLE with such "
+          "fields), modal_levels.csv, recordings of a ring-down or of force and "
+          "displacement")
       ->required()
       ->type_name(kTestValue);
   add_output_options(*command, *options);
@@ -302,7 +307,7 @@ void add_verify(CLI::App& program, Call& call) {
   add_test_arguments(*command, options->of_tests);
   add_recording_arguments(*command, options->arguments);
   command->add_flag("--skip-faulty", options->skip_faulty,
-                    "Leave out what cannot be read or fitted, and say so");
+                    "Leave out, and list, what cannot be read or fitted");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command, {"microslip verify rig.toml joint.json level_*.csv --out verification.csv",
                           "microslip verify rig.toml joint.json test.h5 --out verification.csv \\",

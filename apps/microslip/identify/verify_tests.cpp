@@ -61,28 +61,28 @@ void write_tests(const TestsCall& options, const VerifiedTests& verified) {
 
 void add_test_arguments(CLI::App& command, TestArguments& arguments) {
   command
-      .add_option("--kind", arguments.kind,
-                  "What the tests of a model are, else told by what their files hold: sweep, the "
-                  "response at the force that was measured at each step; constant-response, the "
-                  "force at the response; ringdown, frequency and damping over the amplitude; "
-                  "loops, force and losses of a joint along its path")
+      .add_option(
+          "--kind", arguments.kind,
+          "Kind of the tests of a model; default: detected from the files. sweep: response at the "
+          "force measured at each step; constant-response: force at the response; ringdown: "
+          "frequency and damping over amplitude; loops: force and losses of a joint along its path")
       ->check(CLI::IsMember({"sweep", "constant-response", "ringdown", "loops"}));
   command
       .add_option("--sensor", arguments.sensors,
-                  "CHANNEL=POINT, of ring-downs: the sensor of a channel is at that point of the "
-                  "model; repeated, in place of [[accelerometer]] of model.toml")
+                  "CHANNEL=POINT, for ring-downs: the sensor of a channel is at that point of the "
+                  "model; may be repeated; replaces [[accelerometer]] of model.toml")
       ->allow_extra_args(false);
   command
       .add_option("--mode", arguments.modes,
-                  "Mode of ring-downs, from 1; repeated, else all that can be followed")
+                  "Mode of ring-downs, from 1; may be repeated; default: all that can be tracked")
       ->check(CLI::Range(1, 100000))
       ->allow_extra_args(false);
   command.add_option("--force", arguments.force,
-                     "Channel of the force of loops; else the only one of a force");
+                     "Channel of the force of loops; not needed if there is only one");
   command.add_option("--displacement", arguments.displacement,
-                     "Channel of the displacement of loops; else the only one of a displacement");
+                     "Channel of the displacement of loops; not needed if there is only one");
   command.add_option("--joint", arguments.joint,
-                     "Joint of the model that loops are of; else the only one");
+                     "Joint of the model that the loops are of; not needed if there is only one");
 }
 
 int run_of_tests(const TestsCall& options, const Call& call) {

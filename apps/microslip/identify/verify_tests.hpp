@@ -16,7 +16,7 @@
 
 namespace microslip::app {
 
-/// What only such tests have.
+/// Options of such tests only.
 struct TestArguments {
   std::string kind;
   std::vector<std::string> sensors;
@@ -29,7 +29,7 @@ struct TestArguments {
 /// --kind, --sensor, --mode, --force, --displacement, --joint.
 void add_test_arguments(CLI::App& command, TestArguments& arguments);
 
-/// What is asked for of such tests.
+/// Inputs and options of a comparison of such tests.
 struct TestsCall {
   std::string model;               ///< path of model.toml or joint.json
   std::vector<std::string> tests;  ///< paths

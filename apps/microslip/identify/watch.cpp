@@ -149,13 +149,13 @@ void watch(const WatchArguments& arguments, const Call& call) {
   WatchedTest test(options_of(arguments, call));
   FolderWatch folder(arguments.folder, interval,
                      [&](const std::string& name) { return test.reads(name); });
-  bool told = call.quiet;
+  bool announced = call.quiet;
   while (!StopOnSignal::asked() && std::ferror(stdout) == 0) {
     const FolderChange change = folder.look();
-    if (!told && !change.any() && !change.waiting) {
+    if (!announced && !change.any() && !change.waiting) {
       say(stdout, fmt::format("{}: no record yet", arguments.folder));
     }
-    told = true;
+    announced = true;
     if (change.any() && test.evaluate(change) && !arguments.no_report) {
       write_watch_report(arguments, test, call);
     }
@@ -178,38 +178,36 @@ int run(const WatchArguments& arguments, const Call& call) {
 
 void add_watch(CLI::App& program, Call& call) {
   auto options = std::make_shared<WatchArguments>();
-  CLI::App* command = program.add_subcommand(
-      "watch",
-      "Beside the shaker: evaluates the records of a folder as they come, and tells the "
-      "next level");
+  CLI::App* command = program.add_subcommand("watch",
+                                             "During a test: evaluate the records of a folder as "
+                                             "they arrive, and recommend the next level");
   command
       ->add_option("DIR", options->folder,
-                   "Folder into which records come, also into recordings/ of it: those of the "
-                   "rig.toml that it holds; without one levels.csv or recordings of force and "
+                   "Folder in which, or in recordings/ of which, records arrive: those of the "
+                   "rig.toml in it, or, without one, levels.csv or recordings of force and "
                    "displacement. levels.csv (of a rig), joint.json, density.csv, next_levels.csv "
                    "and the report watch.html are written into it")
       ->required()
       ->type_name(kFolderValue);
-  command->add_option(
-      "--stiffness", options->stiffness,
-      "k of the stuck joint, in N/m or with a unit; a rig.toml tells it, and records "
-      "of force and displacement do");
+  command->add_option("--stiffness", options->stiffness,
+                      "k of the stuck joint, in N/m or with a unit; not needed with a rig.toml or "
+                      "records of force and displacement");
   command
       ->add_option("--target", options->target,
-                   "What the next level is to tell, as of microslip plan")
+                   "Quantity whose uncertainty the next level reduces, as in microslip plan")
       ->check(CLI::IsMember({"density", "area"}))
       ->capture_default_str();
-  command->add_option(
-      "--amplitude", options->amplitude,
-      "FROM:TO, between which the next level may be, in m or with units; without it "
-      "the lowest and the highest that are there");
+  command->add_option("--amplitude", options->amplitude,
+                      "FROM:TO, range of the next level, in m or with units; default: from the "
+                      "lowest to the highest level");
   command
-      ->add_option("--interval", options->interval,
-                   "Between two looks; so long a file must not have changed to be whole")
+      ->add_option(
+          "--interval", options->interval,
+          "Time between two checks of the folder; a file unchanged for this long is complete")
       ->capture_default_str();
-  command->add_flag("--once", options->once, "Evaluate what is there, and end");
-  command->add_flag("--no-report", options->no_report, "Without the report");
-  command->add_flag("--quiet", call.quiet, "No lines but of what is at fault");
+  command->add_flag("--once", options->once, "Evaluate the files present, then end");
+  command->add_flag("--no-report", options->no_report, "Do not write the report");
+  command->add_flag("--quiet", call.quiet, "Print faults only");
   add_examples(*command, {"microslip watch test",
                           "microslip watch test --stiffness 1.7e5 --amplitude 2um:400um",
                           "microslip watch test --once --no-report"});

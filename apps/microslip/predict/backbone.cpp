@@ -54,7 +54,7 @@ ResponseCurve curve_of(const HarmonicBalance& balance, const BackboneOptions& op
     }
     if (error.name() != "mode") throw;
     throw InputError("--mode", options.mode,
-                     "must be one that vibrates: with all joints stuck this is a rigid body",
+                     "must be elastic: with all joints stuck this one is a rigid-body mode",
                      "Take a higher mode.");
   }
 }
@@ -96,7 +96,7 @@ int run(const BackboneOptions& options, const Call& call) {
   const ModelFile model = read_model(options.prediction.model);
   const std::size_t mode =
       parse_whole_number("--mode", options.mode, 1, model.structure.linear().vibrations(),
-                         "That is how many modes the model has.");
+                         "The model has that many modes.");
   const std::optional<StructureDraws> draws = draws_of_model(model, options);
   const Forcing forcing = options.forcing == "modal" ? Forcing::kModal : Forcing::kExcitation;
   const HarmonicBalance balance = balance_of(model, options.prediction, {.forcing = forcing});
@@ -121,10 +121,10 @@ int run(const BackboneOptions& options, const Call& call) {
 void add_backbone(CLI::App& program, Call& call) {
   auto options = std::make_shared<BackboneOptions>();
   CLI::App* command = program.add_subcommand(
-      "backbone", "Resonance frequency and damping of a structure with joints over the amplitude");
+      "backbone", "Resonance frequency and damping of a structure with joints over amplitude");
   add_prediction_arguments(*command, options->prediction, call,
                            "displacement [m], force [N], frequency [Hz], damping_ratio [1]; with a "
-                           "shaken base base_acceleration [m/s^2] for the force");
+                           "shaken base base_acceleration [m/s^2] instead of the force");
   command
       ->add_option("--response", options->response,
                    "Amplitudes of the displacement at the response point, FROM:TO:COUNT[:log], in "
@@ -132,20 +132,20 @@ void add_backbone(CLI::App& program, Call& call) {
       ->required();
   command
       ->add_option("--mode", options->mode,
-                   "Whose resonance: number of the mode, by frequency with all joints stuck")
+                   "Number of the mode, by frequency with all joints stuck")
       ->capture_default_str();
   command
       ->add_option(
           "--forcing", options->forcing,
-          "What drives: the excitation of the model, or a force at every mass that makes "
-          "up what the motion loses there. That is the nonlinear mode itself, whatever the "
-          "drive point; the column force is then what would feed as much at the response "
+          "Forcing: the excitation of the model, or a force at every mass that balances the "
+          "dissipation there. The latter gives the nonlinear mode itself, independent of the drive "
+          "point; the column force is then the one with the same input at the response "
           "point")
       ->check(CLI::IsMember({"excitation", "modal"}))
       ->capture_default_str();
-  add_draw_arguments(*command, options->draws,
-                     "force_lower and force_upper [N], the same of frequency [Hz] and "
-                     "damping_ratio [1]");
+  add_draw_arguments(
+      *command, options->draws,
+      "force_lower and force_upper [N], likewise for frequency [Hz] and damping_ratio [1]");
   add_correlation_argument(*command, options->draws);
   add_examples(*command,
                {"microslip backbone model.toml --response 10mm:2:40:log --out backbone.csv",

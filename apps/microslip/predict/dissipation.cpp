@@ -45,7 +45,7 @@ int run(const DissipationOptions& options, const Call& call) {
 void add_dissipation(CLI::App& program, Call& call) {
   auto options = std::make_shared<DissipationOptions>();
   CLI::App* command = program.add_subcommand(
-      "dissipation", "Energy per cycle, secant stiffness and loss factor over the amplitude");
+      "dissipation", "Energy per cycle, secant stiffness and loss factor over amplitude");
   command->add_option("joint", options->joint, "Joint model, joint.json")
       ->required()
       ->type_name(kJsonValue);
@@ -54,17 +54,16 @@ void add_dissipation(CLI::App& program, Call& call) {
                    "FROM:TO:COUNT[:log], in m or with units; :log for equal ratios")
       ->required();
   command
-      ->add_option(
-          "--out", options->out,
-          "CSV to write: amplitude [m], force [N], dissipation [J], "
-          "secant_stiffness [N/m], loss_factor [1], and joint_linear_dissipation [J], the part "
-          "of the dissipation that is no slip, where the joint was identified with linear "
-          "damping; - is standard output")
+      ->add_option("--out", options->out,
+                   "CSV to write: amplitude [m], force [N], dissipation [J], "
+                   "secant_stiffness [N/m], loss_factor [1], and joint_linear_dissipation [J], the "
+                   "part of the dissipation not due to slip, if the joint was identified with "
+                   "linear damping; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   add_joint_draw_arguments(*command, options->draws,
-                           "force_lower and force_upper [N], the same of the other columns");
-  command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file has them");
+                           "force_lower and force_upper [N], likewise for the other columns");
+  command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file contains them");
   add_examples(*command,
                {"microslip dissipation joint.json --amplitude 1um:300um:50:log --out curve.csv",
                 "microslip dissipation joint.json --amplitude 1um:300um:50:log --draws 1000 \\",

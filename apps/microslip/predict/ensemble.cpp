@@ -79,34 +79,33 @@ void add_ensemble(CLI::App& program, Call& call) {
       "Any number of predictions, identifications or virtual tests of a plan, on all processors");
   command
       ->add_option("plan", arguments->plan,
-                   "What is to be done, plan.toml: kind predict, bootstrap, design or sweep")
+                   "Plan of the jobs, plan.toml: kind predict, bootstrap, design or sweep")
       ->required()
       ->type_name(kTomlValue);
   command
-      ->add_option(
-          "--out", arguments->out,
-          "HDF5 to write: of each output count, mean, std, minimum, lower, median, upper, "
-          "maximum, and values that the plan keeps. What is done stands in journals beside "
-          "it until it is whole, and a run goes on with them")
+      ->add_option("--out", arguments->out,
+                   "HDF5 to write: count, mean, std, minimum, lower, median, upper, maximum of "
+                   "each output, and values that the plan keeps. Until it is complete, finished "
+                   "jobs are kept in journals next to it, from which a new run continues")
       ->required()
       ->type_name(kHdf5Value);
   command
       ->add_option("--table", arguments->table,
-                   "CSV to write: the same statistics; of a sweep its values. Without it the name "
+                   "CSV to write: the same statistics; for a sweep its values. Default: the name "
                    "of --out with .csv")
       ->type_name(kCsvValue);
   CLI::Option* shard = command->add_option("--shard", arguments->shard,
-                                           "NUMBER/COUNT: only this share of the jobs, and no "
-                                           "result yet, for job arrays; --merge makes it");
+                                           "NUMBER/COUNT: run only this share of the jobs, without "
+                                           "the result, for job arrays; then --merge");
   command
       ->add_flag("--merge", arguments->merge,
-                 "Make the result of what the shards have done; an error where jobs are missing")
+                 "Write the result from the finished shards; an error if jobs are missing")
       ->excludes(shard);
   command->add_option("--threads", arguments->threads,
-                      "As many at most; without it all processors, of an MPI rank 1");
+                      "Maximum number of threads; default: all processors, 1 per MPI rank");
   command->add_flag("--keep-journals", arguments->keep_journals,
-                    "Leave the journals: then other values can be kept, or another confidence "
-                    "taken, without a job done again");
+                    "Keep the journals: other values or another confidence can then be written "
+                    "without repeating jobs");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command,
                {"microslip ensemble plan.toml --out result.h5",

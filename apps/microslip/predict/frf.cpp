@@ -49,7 +49,7 @@ double parse_accuracy(const std::string& text) {
   const double accuracy = parse_quantity("--accuracy", text, kDimensionless);
   if (accuracy >= 1e-6 && accuracy <= 1.0) return accuracy;
   throw InputError("--accuracy", in_quotes(text), "must be from 0.0001% to 100%",
-                   "0.05% draws twice as many points as 0.2%.");
+                   "0.05% gives twice as many points as 0.2%.");
 }
 
 std::vector<double> parse_at(const std::string& text, std::pair<double, double> range) {
@@ -59,7 +59,7 @@ std::vector<double> parse_at(const std::string& text, std::pair<double, double> 
   for (const double frequency : parse_values("--at", text, kFrequency)) {
     if (!(frequency >= low && frequency <= high)) {
       throw InputError("--at", frequency,
-                       fmt::format("must lie in --frequency, {:g} to {:g} Hz", low, high),
+                       fmt::format("must lie within --frequency, {:g} to {:g} Hz", low, high),
                        "Widen the range, or leave this frequency out.");
     }
     frequencies.push_back(kTwoPi * frequency);
@@ -67,7 +67,7 @@ std::vector<double> parse_at(const std::string& text, std::pair<double, double> 
   return frequencies;
 }
 
-/// What the curve keeps, and of what kind the response is.
+/// Quantity that the curve keeps constant, and kind of the response.
 struct KeptTarget {
   Target target;
   ResponseKind kind = ResponseKind::kDisplacement;
@@ -218,48 +218,45 @@ void add_frf(CLI::App& program, Call& call) {
   auto options = std::make_shared<FrfOptions>();
   CLI::App* command = program.add_subcommand(
       "frf",
-      "Response of a structure with joints over the frequency, at one force or one response");
+      "Response of a structure with joints over frequency, at constant force or constant response");
   add_prediction_arguments(*command, options->prediction, call,
                            "frequency [Hz], force [N], displacement [m], phase [rad], velocity "
                            "[m/s], acceleration [m/s^2]; with a shaken base base_acceleration "
-                           "[m/s^2] for the force, absolute_displacement [m], "
+                           "[m/s^2] instead of the force, absolute_displacement [m], "
                            "absolute_acceleration [m/s^2], transmissibility [1]");
   CLI::Option* force =
       command->add_option("--force", options->force, "Amplitude of the force, in N or with a unit");
-  CLI::Option* response = command->add_option(
-      "--response", options->response,
-      "Amplitude at the response point that is kept, of the displacement, "
-      "velocity or acceleration by "
-      "its unit, in m without one, relative to the base where that is shaken: what drives is what "
-      "is found");
-  CLI::Option* acceleration = command->add_option("--acceleration", options->acceleration,
-                                                  "Amplitude of the acceleration of the base, of a "
-                                                  "model whose base is driven, in m/s^2 or with a "
-                                                  "unit");
+  CLI::Option* response =
+      command->add_option("--response", options->response,
+                          "Constant amplitude at the response point, a displacement, velocity or "
+                          "acceleration by its unit, default m, relative to a shaken base; the "
+                          "force or base acceleration that it needs is computed");
+  CLI::Option* acceleration = command->add_option(
+      "--acceleration", options->acceleration,
+      "Amplitude of the base acceleration, for a model with a driven base, in m/s^2 or with a "
+      "unit");
   force->excludes(response)->excludes(acceleration);
   acceleration->excludes(response);
   command
-      ->add_option(
-          "--frequency", options->frequency,
-          "FROM:TO, in Hz or with units; FROM above TO goes downward, onto the other branch "
-          "where there are two")
+      ->add_option("--frequency", options->frequency,
+                   "FROM:TO, in Hz or with units; FROM above TO sweeps downward, onto the other "
+                   "branch where there are two")
       ->required();
   command
       ->add_option("--accuracy", options->accuracy,
-                   "How far the polygon through the rows may lie beside the curve, relative to its "
-                   "peak; at constant response relative to the force. From 0.0001%")
+                   "Tolerance of linear interpolation between the rows, relative to the peak; at "
+                   "constant response relative to the force. From 0.0001%")
       ->capture_default_str();
   command->add_option(
       "--at", options->at,
-      "Rows at these frequencies as well, on each branch: a list between commas, or "
+      "Additional rows at these frequencies, on each branch: a comma-separated list, or "
       "FROM:TO:COUNT[:log], in Hz or with units");
-  add_draw_arguments(
-      *command, options->draws,
-      "lower and upper, of the displacement [m], at constant response of what drives");
+  add_draw_arguments(*command, options->draws,
+                     "lower and upper, of the displacement [m], or at constant response of the "
+                     "force or base acceleration");
   add_correlation_argument(*command, options->draws);
   command
-      ->add_option("--peaks-csv", options->peaks,
-                   "Peaks as CSV, with the values between which those of the draws lie")
+      ->add_option("--peaks-csv", options->peaks, "Peaks as CSV, with their bands from the draws")
       ->needs(command->get_option("--draws"))
       ->type_name(kCsvValue);
   add_examples(*command,

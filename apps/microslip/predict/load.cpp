@@ -74,7 +74,7 @@ struct KnownOptions {
   std::vector<std::string_view> allowed = {};
 };
 
-/// What a shape does not know would be given for nothing.
+/// Refuses options that have no effect on the shape.
 void check_options(const LoadOptions& options, LoadShape shape) {
   static const std::array<KnownOptions, 5> kKnown{{
       {LoadShape::kSine, {"--peak", "--frequency"}, {"--cycles"}},
@@ -108,8 +108,9 @@ void check_options(const LoadOptions& options, LoadShape shape) {
                        fmt::format("must be given for a {}", to_string(shape)));
     }
     if (is_given && !needed && !allowed) {
-      throw InputError(option, InputState{"given"},
-                       fmt::format("must be left out: a {} does not know it", to_string(shape)));
+      throw InputError(
+          option, InputState{"given"},
+          fmt::format("must be left out: it does not apply to a {}", to_string(shape)));
     }
   }
 }
@@ -123,7 +124,7 @@ double parse_decibels(const std::string& text) {
   throw InputError("--tolerance", text, "must be in dB", "For instance: --tolerance 3dB");
 }
 
-/// What a shock has beside other shapes.
+/// Options that only a shock has.
 void set_shock(const LoadOptions& options, LoadPlan& plan) {
   plan.required = read_required_spectrum(options.spectrum);
   if (!options.damping_ratio.empty()) {
@@ -178,7 +179,8 @@ int run(const LoadOptions& options, const Call& call) {
     fmt::print(options.out == "-" ? stderr : stdout, "A {} on {}\n{}", to_string(shape),
                options.model, describe_load(model.structure, load));
   } else if (!load.converged()) {
-    fmt::print(stderr, "microslip: {}: not converged: {}; what was found is written and marked\n",
+    fmt::print(stderr,
+               "microslip: {}: not converged: {}; the result so far is written and marked\n",
                input_name(options.model), load.shock->summary.reason);
   }
   return load.converged() ? kDone : kNotConverged;
@@ -189,38 +191,37 @@ void add_shape_options(CLI::App& command, LoadOptions& options) {
                      "Amplitude of a sine, sweep or half-sine: in N, or in m/s^2 where a base is "
                      "driven, or with a unit");
   command.add_option("--frequency", options.frequency,
-                     "Of a sine; FROM:TO of a sweep; in Hz or with units");
+                     "Frequency of a sine; FROM:TO of a sweep; in Hz or with units");
   command.add_option("--cycles", options.cycles,
-                     "Periods after which a sine ends; else it goes on");
-  command.add_flag("--log", options.logarithmic,
-                   "A sweep by equal ratios in equal times, not by equal steps");
+                     "Number of periods after which a sine ends; default: it does not end");
+  command.add_flag("--log", options.logarithmic, "Logarithmic instead of linear sweep");
   command.add_option("--pulse", options.pulse,
-                     "Length of a half-sine, or of a shock (the shortest: three half-cycles of its "
-                     "lowest frequency), in s or with a unit");
-  command.add_option("--at", options.begin, "When a half-sine or a shock begins (0 s)");
+                     "Length of a half-sine, or of a shock (default: the shortest, three "
+                     "half-cycles of its lowest frequency), in s or with a unit");
+  command.add_option("--at", options.begin, "Start time of a half-sine or a shock (0 s)");
   command
-      .add_option("--density", options.density,
-                  "Power spectral density of noise: frequency [Hz], density [N^2/Hz], or "
-                  "[(m/s^2)^2/Hz] or [g^2/Hz] where a base is driven; straight in logarithms "
-                  "between its rows")
+      .add_option(
+          "--density", options.density,
+          "Power spectral density of noise: frequency [Hz], density [N^2/Hz], or [(m/s^2)^2/Hz] or "
+          "[g^2/Hz] where a base is driven; log-log interpolation between its rows")
       ->type_name(kCsvValue);
   command.add_option("--seed", options.seed,
-                     "Of noise or a shock: the same seed, the same noise (1)");
+                     "Seed of noise or of a shock; the same seed gives the same noise (1)");
 }
 
 void add_shock_options(CLI::App& command, LoadOptions& options) {
   command
-      .add_option("--spectrum", options.spectrum,
-                  "Shock response spectrum that a shock is to have: frequency [Hz], maximax "
-                  "[m/s^2] or [g]; straight in logarithms between its rows. What the command "
-                  "spectrum writes is one")
+      .add_option(
+          "--spectrum", options.spectrum,
+          "Required shock response spectrum of a shock: frequency [Hz], maximax [m/s^2] or [g]; "
+          "log-log interpolation between its rows. The output of the command spectrum can be used")
       ->type_name(kCsvValue);
   command.add_option("--damping-ratio", options.damping_ratio,
-                     "Of the masses of that spectrum: 1/(2Q) (0.05)");
+                     "Damping ratio of the oscillators of that spectrum: 1/(2Q) (0.05)");
   command.add_option("--per-octave", options.per_octave,
-                     "Natural frequencies in an octave at which a shock is judged, 6 to 48 (12)");
+                     "Natural frequencies per octave at which a shock is checked, 6 to 48 (12)");
   command.add_option("--tolerance", options.tolerance,
-                     "Most that its spectrum may lie above or below (1dB)");
+                     "Tolerance of its spectrum above and below (1dB)");
 }
 
 }  // namespace
@@ -228,13 +229,13 @@ void add_shock_options(CLI::App& command, LoadOptions& options) {
 void add_load(CLI::App& program, Call& call) {
   auto options = std::make_shared<LoadOptions>();
   CLI::App* command = program.add_subcommand(
-      "load", "What acts over time, for march: a sine, a sweep, a half-sine, noise, a shock");
+      "load", "Load histories for march: a sine, a sweep, a half-sine, noise, a shock");
   command->add_option("shape", options->shape, "sine, sweep, half-sine, noise or shock")
       ->required()
       ->check(CLI::IsMember({"sine", "sweep", "half-sine", "noise", "shock"}));
   command
       ->add_option("model", options->model,
-                   "Structure, model.toml: its excitation says what is driven, a sine takes its "
+                   "Structure, model.toml: its excitation specifies what is driven; a sine has its "
                    "harmonics and phases")
       ->required()
       ->type_name(kTomlValue);
@@ -244,12 +245,14 @@ void add_load(CLI::App& program, Call& call) {
                    "BASE [m/s^2]; - is standard output")
       ->required()
       ->type_name(kCsvValue);
-  command->add_option("--duration", options->duration, "Of the whole, in s or with a unit")
+  command
+      ->add_option("--duration", options->duration,
+                   "Length of the load history, in s or with a unit")
       ->required();
   command->add_option("--sampling-rate", options->sampling_rate,
-                      "Of the table, in Hz or with a unit; between its times the load is straight. "
-                      "Without it 256 times a period, 200 times a half-sine, 32 times a period of "
-                      "the highest frequency of noise, 20 times of a shock");
+                      "Sampling rate of the table, in Hz or with a unit; the load is linear "
+                      "between its times. Default: 256 times per period, 200 per half-sine, 32 per "
+                      "period of the highest frequency of noise, 20 of a shock");
   add_shape_options(*command, *options);
   add_shock_options(*command, *options);
   command->add_flag("--quiet", call.quiet, "No summary");

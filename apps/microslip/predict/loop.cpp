@@ -59,30 +59,30 @@ void add_loop(CLI::App& program, Call& call) {
       ->type_name(kJsonValue);
   CLI::Option* path = command->add_option(
       "--path", options->path,
-      "Path as CSV: displacement [m], and normal_load [1] where the normal load varies");
+      "Path as CSV: displacement [m], and normal_load [1] if the normal load varies");
   path->type_name(kCsvValue);
   CLI::Option* amplitude =
       command->add_option("--amplitude", options->amplitude,
-                          "First loading and one cycle of this amplitude, in m or with a unit");
+                          "Initial loading and one cycle of this amplitude, in m or with a unit");
   path->excludes(amplitude);
   command
       ->add_option("--normal-load-law", options->law,
-                   "What a stuck element does when its normal load varies")
+                   "Behaviour of a stuck element when its normal load varies")
       ->check(CLI::IsMember({"incremental", "total"}))
       ->capture_default_str();
-  command->add_option("--points", options->points, "Points a branch, with --amplitude")
+  command->add_option("--points", options->points, "Points per branch, with --amplitude")
       ->check(CLI::Range(2, 1000000))
       ->capture_default_str();
   command
       ->add_option("--elements", options->elements,
-                   "Jenkins elements, where the normal load varies")
+                   "Number of Jenkins elements if the normal load varies")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();
   command->add_option("--out", options->out, "CSV to write; - is standard output")
       ->required()
       ->type_name(kCsvValue);
   add_joint_draw_arguments(*command, options->draws, "lower and upper, of the force [N]");
-  command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file has them");
+  command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file contains them");
   add_examples(*command, {"microslip loop joint.json --amplitude 300um --out loop.csv",
                           "microslip loop joint.json --path path.csv --out -",
                           "microslip loop joint.json --amplitude 300um --draws 1000 \\",

@@ -66,11 +66,11 @@ std::vector<DrawnMode> parse_release(const std::string& text, const ModelFile& m
     if (ends.size() != 2) {
       throw InputError("--release", in_quotes(text),
                        "must read MODE:DISPLACEMENT, for instance 1:2mm",
-                       "Several stand between commas.");
+                       "Separate several by commas.");
     }
     const std::uint64_t mode =
         parse_whole_number("MODE of --release", ends[0], 1, model.structure.linear().vibrations(),
-                           "That is how many modes the model has.");
+                           "The model has that many modes.");
     drawn.push_back({mode - 1, parse_quantity("DISPLACEMENT of --release", ends[1], kLength)});
   }
   return drawn;
@@ -81,7 +81,7 @@ InitialState start_of(const MarchArguments& arguments, const ModelFile& model) {
   if (!model.structure.static_loads().empty()) {
     throw InputError("--release", in_quotes(arguments.release),
                      "must be left out: the model has static loads, and begins at rest under them",
-                     "Let a force of --force-file go instead.");
+                     "Release a force with --force-file instead.");
   }
   try {
     return released(model.structure, model.response, parse_release(arguments.release, model));
@@ -152,13 +152,12 @@ int run(const MarchArguments& arguments, const Call& call) {
 
 void add_march_draws(CLI::App& command, MarchArguments& arguments) {
   add_draw_arguments(command, arguments.draws,
-                     "displacement_lower and displacement_upper [m] at each time, the same of each "
-                     "column that is marched");
+                     "displacement_lower and displacement_upper [m] at each time, likewise for "
+                     "each computed column");
   add_correlation_argument(command, arguments.draws);
   command
       .add_option("--peaks-csv", arguments.peaks,
-                  "Largest values and rms of each column as CSV, with the values between which "
-                  "those of the draws lie")
+                  "Largest values and rms of each column as CSV, with their bands from the draws")
       ->needs(command.get_option("--draws"))
       ->type_name(kCsvValue);
 }
@@ -168,7 +167,7 @@ void add_march_draws(CLI::App& command, MarchArguments& arguments) {
 void add_march(CLI::App& program, Call& call) {
   auto arguments = std::make_shared<MarchArguments>();
   CLI::App* command =
-      program.add_subcommand("march", "Motion in time of a structure with joints under any force");
+      program.add_subcommand("march", "Time history of a structure with joints under any force");
   command->add_option("model", arguments->model, "Structure with joints, model.toml")
       ->required()
       ->type_name(kTomlValue);
@@ -176,53 +175,52 @@ void add_march(CLI::App& program, Call& call) {
       command
           ->add_option(
               "--force-file", arguments->forces,
-              "What acts, as CSV: time [s], force [N] at the excitation of the model, force "
+              "Load history as CSV: time [s], force [N] at the excitation of the model, force "
               "at POINT [N] or acceleration of BASE [m/s^2]; normal_load [1] or "
-              "normal_load of JOINT [1] where the normal load of a joint varies. Linear "
-              "between the times; - is standard input")
+              "normal_load of JOINT [1] if the normal load of a joint varies. Linear between the "
+              "times; - is standard input")
           ->type_name(kCsvValue);
   CLI::Option* release = command->add_option(
       "--release", arguments->release,
-      "Let go at rest in the shape of a mode of the stuck structure: MODE:DISPLACEMENT at the "
-      "response point, in m or with a unit; several between commas");
+      "Release from rest in the shape of a mode of the stuck structure: MODE:DISPLACEMENT at the "
+      "response point, in m or with a unit; separate several by commas");
   CLI::Option* duration =
       command
           ->add_option("--duration", arguments->duration,
-                       "How long a free decay without --force-file is marched, in s or with a unit")
+                       "Length of a free decay without --force-file, in s or with a unit")
           ->needs(release)
           ->excludes(forces);
   CLI::Option* rate = command->add_option("--sampling-rate", arguments->sampling_rate,
-                                          "Rows of it in a second, in Hz or with a unit");
+                                          "Sampling rate of its rows, in Hz or with a unit");
   rate->needs(duration)->excludes(forces);
   duration->needs(rate);
   command
-      ->add_option(
-          "--out", arguments->out,
-          "CSV to write: time [s], what acts, displacement [m], velocity [m/s], acceleration "
-          "[m/s^2], JOINT displacement [m], JOINT force [N], and absolute_displacement "
-          "[m], absolute_velocity [m/s], absolute_acceleration [m/s^2] where a base "
-          "accelerates; - is standard output")
+      ->add_option("--out", arguments->out,
+                   "CSV to write: time [s], loads, displacement [m], velocity [m/s], acceleration "
+                   "[m/s^2], JOINT displacement [m], JOINT force [N], and absolute_displacement "
+                   "[m], absolute_velocity [m/s], absolute_acceleration [m/s^2] if a base is "
+                   "shaken; - is standard output")
       ->required()
       ->type_name(kCsvValue);
-  command->add_option("--step", arguments->step,
-                      "Longest step, in s or with a unit; without it a twentieth of the shortest "
-                      "period of the stuck structure, an eightieth where a density has more than "
-                      "16 atoms, a four-hundredth where a normal load varies");
+  command->add_option(
+      "--step", arguments->step,
+      "Longest step, in s or with a unit; default: 1/20 of the shortest period of the stuck "
+      "structure, 1/80 if a density has more than 16 atoms, 1/400 if a normal load varies");
   command->add_flag("--no-error-estimate", arguments->no_error_estimate,
-                    "Do not march a second time with twice the step to tell the error: a third of "
-                    "the time less");
+                    "Skip the second march with twice the step that estimates the error: saves a "
+                    "third of the time");
   command
       ->add_option("--every", arguments->every,
-                   "Times of the force file, or of --sampling-rate, per row that is written")
+                   "Times of the force file, or of --sampling-rate, per output row")
       ->capture_default_str();
   command
       ->add_option("--normal-load-law", arguments->law,
-                   "What a stuck element does when its normal load varies")
+                   "Behaviour of a stuck element when its normal load varies")
       ->check(CLI::IsMember({"incremental", "total"}))
       ->capture_default_str();
   command
       ->add_option("--elements", arguments->elements,
-                   "Jenkins elements of a joint whose normal load varies")
+                   "Number of Jenkins elements of a joint whose normal load varies")
       ->capture_default_str();
   add_march_draws(*command, *arguments);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");

@@ -43,11 +43,11 @@ void add_model(CLI::App& program, Call& call) {
   auto options = std::make_shared<ModelOptions>();
   CLI::App* command = program.add_subcommand(
       "model",
-      "The structure of a test rig with a joint, as a model.toml for frf, backbone, march");
+      "Write the structure of a test rig with its joint as a model.toml for frf, backbone, march");
   command->add_option("rig", options->rig, "Description of the test, rig.toml")
       ->required()
       ->type_name(kTomlValue);
-  command->add_option("joint", options->joint, "The joint in its contact, joint.json")
+  command->add_option("joint", options->joint, "Joint in its contact, joint.json")
       ->required()
       ->type_name(kJsonValue);
   command

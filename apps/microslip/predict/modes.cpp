@@ -38,10 +38,10 @@ int run(const ModesArguments& options, const Call& call) {
 
 void add_modes(CLI::App& program, Call& call) {
   auto options = std::make_shared<ModesArguments>();
-  CLI::App* command = program.add_subcommand("modes",
-                                             "From the mass and stiffness matrices of a structure, "
-                                             "or its modes in a test, and its joints, "
-                                             "to a model.toml");
+  CLI::App* command =
+      program.add_subcommand("modes",
+                             "Make a model.toml from the mass and stiffness matrices of a "
+                             "structure, or its measured modes, and its joints");
   command
       ->add_option("structure", options->structure,
                    "Matrices, or a test (universal files 55, 58, 2414; responses in CSV, MATLAB "

@@ -63,22 +63,25 @@ int run(const SpectrumOptions& options, const Call& call) {
 void add_spectrum(CLI::App& program, Call& call) {
   auto options = std::make_shared<SpectrumOptions>();
   CLI::App* command =
-      program.add_subcommand("spectrum", "Shock response spectrum of an acceleration over time");
+      program.add_subcommand("spectrum", "Shock response spectrum of an acceleration history");
   command
       ->add_option("table", options->table,
                    "Table of march or load: time [s] and an acceleration; - is standard input")
       ->required()
       ->type_name(kCsvValue);
   command
-      ->add_option("--column", options->column,
-                   "The acceleration, for instance acceleration, or 'acceleration of table'")
+      ->add_option(
+          "--column", options->column,
+          "Column of the acceleration, for instance acceleration, or 'acceleration of table'")
       ->capture_default_str();
   command
       ->add_option("--frequency", options->frequency,
                    "Natural frequencies, FROM:TO:COUNT[:log], in Hz or with units; :log for equal "
                    "ratios")
       ->required();
-  command->add_option("--damping-ratio", options->damping_ratio, "Of the masses: 1/(2Q)")
+  command
+      ->add_option("--damping-ratio", options->damping_ratio,
+                   "Damping ratio of the oscillators: 1/(2Q)")
       ->capture_default_str();
   command
       ->add_option("--out", options->out,

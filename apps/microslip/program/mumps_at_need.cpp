@@ -21,7 +21,7 @@ Mumps loaded_mumps() {
   void* function = library == nullptr ? nullptr : dlsym(library, "dmumps_c");
   if (function == nullptr) {
     const char* reason = dlerror();
-    throw Error(std::string("MUMPS, which finds the modes of matrices, cannot be loaded: ") +
+    throw Error(std::string("MUMPS, which computes the modes of matrices, cannot be loaded: ") +
                 (reason == nullptr ? MICROSLIP_MUMPS : reason));
   }
   return reinterpret_cast<Mumps>(function);

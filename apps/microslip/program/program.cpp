@@ -50,7 +50,7 @@ constexpr std::array kSubcommands{
     Subcommand{"demo", add_demo},
 };
 
-/// What stands behind the name of the program.
+/// Text after the name of the program.
 std::string_view first_argument(std::string_view command_line) {
   const std::size_t space = command_line.find(' ');
   if (space == std::string_view::npos) return {};

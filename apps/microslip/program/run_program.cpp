@@ -42,7 +42,7 @@ extern "C" void remove_temporaries_and_die(int signal) {
   std::raise(signal);
 }
 
-/// What the caller wants ignored, as nohup does, stays ignored.
+/// Signals that the caller ignores, as nohup does, stay ignored.
 void remove_temporaries_on(int signal) {
   if (std::signal(signal, remove_temporaries_and_die) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
@@ -75,10 +75,10 @@ int complain(int status, std::string_view message) {
   return status;
 }
 
-/// "; --stiffness is near": the name that was probably meant, where there is one.
+/// "; did you mean --stiffness?": the name that was probably meant, where there is one.
 std::string near_text(std::string_view name, const std::vector<std::string>& known) {
   const std::string_view nearest = closest_name(name, {known.begin(), known.end()});
-  return nearest.empty() ? std::string() : fmt::format("; {} is near", nearest);
+  return nearest.empty() ? std::string() : fmt::format("; did you mean {}?", nearest);
 }
 
 /// CLI11's "OPTION: VALUE not in {A,B}" in the form of all messages; others as they are.
@@ -114,7 +114,7 @@ std::string swallowed_option(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& value : option->results()) {
       if (!value.starts_with("--") || command.get_option_no_throw(value) == nullptr) continue;
-      return fmt::format("{} has no value: the option {} stands behind it", option->get_name(),
+      return fmt::format("{} has no value: it is followed by the option {}", option->get_name(),
                          value);
     }
   }
@@ -124,20 +124,18 @@ std::string swallowed_option(const CLI::App& command) {
 /// "--amplitude 9 um": the shell hands it on as two.
 std::string split_unit(const std::vector<std::string>& rest) {
   if (rest.size() != 1 || !find_unit(rest.front())) return "";
-  return fmt::format("'{}' stands by itself; a number and its unit stand together, without a blank",
+  return fmt::format("'{}' stands alone; write a number and its unit together, without a space",
                      rest.front());
 }
 
-/// What CLI11 found, but for options and subcommands that do not exist: it says that there are
-/// none.
+/// Fault found by CLI11, but for unknown options and subcommands, which it does not name.
 std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = program.get_subcommands();
   if (!chosen.empty()) {
     if (std::string text = swallowed_option(*chosen.front()); !text.empty()) return text;
     if (std::string text = split_unit(chosen.front()->remaining()); !text.empty()) return text;
     for (const std::string& argument : chosen.front()->remaining()) {
-      if (argument == "--")
-        return "After -- all arguments are names of files: give options before it";
+      if (argument == "--") return "After -- all arguments are file names: give options before it";
       if (argument.starts_with("--")) return unknown_option(*chosen.front(), argument);
     }
     return value_fault(error.what());
@@ -151,8 +149,8 @@ std::string fault_of(const CLI::App& program, const CLI::ParseError& error) {
                      near_text(rest.front(), names));
 }
 
-/// What is printed is written as one: of a write in between only that it failed would be known, not
-/// why.
+/// Buffers standard output until the end: for an earlier write the cause of a failure would be
+/// lost.
 void write_at_the_end() {
   static std::array<char, std::size_t{1} << 16U> text;  // a length without it is not heeded
   if (::isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, text.data(), _IOFBF, text.size());
@@ -186,8 +184,9 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
     const auto chosen = program.get_subcommands();
     const std::string help =
         chosen.empty() ? "microslip --help" : "microslip " + chosen.front()->get_name() + " --help";
-    return complain(kInputAtFault, fmt::format("{}. Run `{}` for the options and examples.",
-                                               fault_of(program, error), help));
+    const std::string fault = fault_of(program, error);
+    return complain(kInputAtFault, fmt::format("{}{} Run `{}` for the options and examples.", fault,
+                                               fault.ends_with('?') ? "" : ".", help));
   }
   return finished_output(call.run());
 }
@@ -198,7 +197,7 @@ int run_program(int argc, char** argv, Call& call, std::unique_ptr<CLI::App> (*m
   occupy_closed_streams();
   write_at_the_end();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) remove_temporaries_on(signal);
-  // A pipe that nobody reads and a limit of the size of files are errors of writing, as a full
+  // A closed pipe and a limit of the file size are errors of writing, as a full
   // disk.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   try {

@@ -92,7 +92,7 @@ MeshRows::MeshRows(const MeshedStructure& structure, RowsOf rows_of)
   const std::vector<DegreeOfFreedom>& degrees = structure.matrices.degrees;
   if (!degrees.empty() && degrees.size() != size()) {
     throw InputError("degrees of freedom", static_cast<double>(degrees.size()),
-                     fmt::format("must be {}, one a row of the matrices", size()));
+                     fmt::format("must be {}, one per row of the matrices", size()));
   }
   for (std::size_t i = 0; i < degrees.size(); ++i) {
     if (rows_.emplace(degrees[i], i).second) continue;

@@ -71,7 +71,7 @@ void check_values(const NamedShape& named) {
                      "must be of displacements, 8: by how much a velocity or acceleration is "
                      "scaled is not told");
   }
-  if (shape.nodes.empty()) throw InputError(named.name, "no node", "must have one at least");
+  if (shape.nodes.empty()) throw InputError(named.name, "no node", "must have at least one");
 }
 
 std::vector<DegreeOfFreedom> freedoms_of(const UffModeShape& shape) {

@@ -92,7 +92,7 @@ microslip_structure* new_structure(ModelFile model) {
 /// Where the response is measured unless a call says it: where the structure is driven.
 ModelFile model_file(const microslip_model& model) {
   if (model.excitations.empty()) {
-    throw InputError("model", InputState{"without an excitation"}, "must have one at least",
+    throw InputError("model", InputState{"without an excitation"}, "must have at least one",
                      "Add one by microslip_model_add_excitation().");
   }
   DrivenPoints driven;

@@ -54,7 +54,7 @@ py::tuple report(const std::string& folder, const std::string& out,
         ExperimentResults results = read_experiment(folder, records, progress);
         if (results.is_empty()) {
           throw InputError("folder", "'" + folder + "'",
-                           "must hold levels.csv, joint.json, recordings level_*, "
+                           "must contain levels.csv, joint.json, recordings level_*, "
                            "verification.csv, force_control.csv or what calibrate writes",
                            results.warnings.empty() ? "" : results.warnings.front().text);
         }

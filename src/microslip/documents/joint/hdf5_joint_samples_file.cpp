@@ -71,10 +71,10 @@ JointSamples samples_of(RawSamples raw, const std::string& path) {
     throw FormatError({.file = path}, "the datasets of draws", "others");
   }
   if (raw.sizes[0] != columns[2].size() || raw.sizes[1] != columns[0].size()) {
-    throw FormatError(
-        {.file = path + ":/stiffness_density"},
-        fmt::format("{} × {} values, draws × knots", columns[2].size(), columns[0].size()),
-        fmt::format("{} × {}", raw.sizes[0], raw.sizes[1]));
+    throw FormatError({.file = path + ":/stiffness_density"},
+                      fmt::format("{} × {} values, draws × slip displacements", columns[2].size(),
+                                  columns[0].size()),
+                      fmt::format("{} × {}", raw.sizes[0], raw.sizes[1]));
   }
   if (columns[3].size() > 1) {
     throw FormatError({.file = path + ":/atom_slip_displacement"}, "1 value",

@@ -203,8 +203,8 @@ std::optional<double> identified_damping(const JointFile& file) {
     const double* number = std::get_if<double>(&value);
     if (name == kViscousKey && number != nullptr && *number > 0.0) {
       throw InputError(fmt::format("identification.{}", name), *number,
-                       "must be 0: predictions have no viscous part of a joint",
-                       "Identify the joint without it, or take it into the structure's damping "
+                       "must be 0: predictions do not support a viscous part of a joint",
+                       "Identify the joint without it, or include it in the structure's damping "
                        "and remove the key.");
     }
     if (name == kLinearDampingKey && number != nullptr) return *number;

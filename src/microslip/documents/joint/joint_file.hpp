@@ -16,15 +16,15 @@
 
 namespace microslip {
 
-/// What a joint.json holds.
+/// Contents of a joint.json.
 struct JointFile {
   Joint joint;                           ///< the joint itself
-  std::optional<Provenance> provenance;  ///< how the file came to be; nothing where it does not say
+  std::optional<Provenance> provenance;  ///< origin of the file; nothing where it is not given
   NamedValues identification;  ///< range covered, remainder, bands…; empty where the file has none
 };
 
-/// kA of the highest level that the joint was identified by, N; nothing where the file does not
-/// say.
+/// kA of the highest level that the joint was identified from, N; nothing where the file does not
+/// give it.
 [[nodiscard]] std::optional<double> covered_to(const JointFile& file);
 
 /// The key of β in an identification.
@@ -32,14 +32,15 @@ inline constexpr std::string_view kLinearDampingKey = "linear_damping_J_per_m2";
 /// The largest β that is read, J/m²: beyond all that joins.
 inline constexpr double kLargestLinearDamping = 1e15;
 
-/// The key of c in an identification, N s/m: a viscous part that was found beside the friction.
+/// The key of c in an identification, N s/m: a viscous part that was identified in addition to the
+/// friction.
 inline constexpr std::string_view kViscousKey = "viscous_N_s_per_m";
 
-/// β of D = … + βA², J/m²: the loss beside slip that the identification found with the joint;
-/// nothing where the file does not say. A prediction by the joint adds it
+/// β of D = … + βA², J/m²: the loss in addition to slip that was identified with the joint;
+/// nothing where the file does not give it. A prediction with the joint adds it
 /// (StructuralJoint::linear_damping).
-/// @throws InputError  where it found a viscous part c > 0, too: no prediction has that yet, and
-///                     one without it would be wrong without a word.
+/// @throws InputError  where a viscous part c > 0 was identified too: predictions do not support
+///                     it, and would silently be wrong.
 [[nodiscard]] std::optional<double> identified_damping(const JointFile& file);
 
 /// A joint from the text of a joint.json.

@@ -33,20 +33,20 @@ void check_values(std::string_view name, std::span<const double> values, double 
 constexpr std::string_view kNotNegative = "must be 0 or more, and finite";
 constexpr double kSmallest = 1e-300;
 
-void check_knots(const std::vector<double>& knots) {
-  if (knots.size() < 2) {
-    throw InputError("number of values of slip_displacement", static_cast<double>(knots.size()),
+void check_slip_displacement(const std::vector<double>& points) {
+  if (points.size() < 2) {
+    throw InputError("number of values of slip_displacement", static_cast<double>(points.size()),
                      "must be 2 or more");
   }
-  check_values("slip_displacement", knots, 0.0, kNotNegative);
-  for (std::size_t j = 1; j < knots.size(); ++j) {
-    if (knots[j] > knots[j - 1]) continue;
-    throw InputError(fmt::format("slip_displacement[{}]", j), knots[j],
+  check_values("slip_displacement", points, 0.0, kNotNegative);
+  for (std::size_t j = 1; j < points.size(); ++j) {
+    if (points[j] > points[j - 1]) continue;
+    throw InputError(fmt::format("slip_displacement[{}]", j), points[j],
                      "must be above the value before it");
   }
 }
 
-/// Share of k that a draw lets slip within its knots.
+/// Share of k that a draw lets slip within its points.
 double slipping_share(const JointSamples& samples, std::size_t draw) {
   const std::vector<double>& x = samples.slip_displacement;
   const double* psi = samples.stiffness_density.data() + draw * x.size();
@@ -60,7 +60,7 @@ double slipping_share(const JointSamples& samples, std::size_t draw) {
 
 void JointSamples::check() const {
   if (size() == 0) throw InputError("number of draws", 0.0, "must be 1 or more");
-  check_knots(slip_displacement);
+  check_slip_displacement(slip_displacement);
   check_count("stiffness_density", stiffness_density.size(), size() * slip_displacement.size());
   check_values("stiffness_density", stiffness_density, 0.0, kNotNegative);
   check_values("stiffness", stiffness, kSmallest, "must be above 0, and finite");
@@ -78,7 +78,7 @@ void JointSamples::check() const {
   for (std::size_t i = 0; i < size(); ++i) {
     const double share = slipping_share(*this, i);
     if (share <= kMostOfStiffness) continue;
-    throw InputError(fmt::format("share of the stiffness that slips in draw {}", i), share,
+    throw InputError(fmt::format("slipping fraction of k in draw {}", i), share,
                      "must not be above 1");
   }
 }
@@ -89,7 +89,7 @@ Joint JointSamples::joint(std::size_t i) const {
                      fmt::format("must be from 0 to {}", static_cast<double>(size()) - 1.0));
   }
   const double k = stiffness[i];
-  // What rounding makes more than k is taken back.
+  // An excess over k by rounding is removed.
   const double more = std::max(1.0, slipping_share(*this, i));
   PiecewiseLinearPart part;
   for (std::size_t j = 0; j < slip_displacement.size(); ++j) {

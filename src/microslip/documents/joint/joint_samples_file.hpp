@@ -11,7 +11,7 @@
 #include "microslip/joint/joint.hpp"
 
 /// @file
-/// joint_samples.h5, schema microslip.joint_samples/1: joints that measurements leave possible.
+/// joint_samples.h5, schema microslip.joint_samples/1: posterior draws of a joint.
 
 namespace microslip {
 
@@ -22,8 +22,8 @@ struct JointSamples {
   std::string method = {};  ///< that drew them
   std::uint64_t seed = 0;   ///< of the random numbers
 
-  std::vector<double> slip_displacement = {};  ///< knots x*, m; rising, ≥ 0; two or more
-  std::vector<double> stiffness_density = {};  ///< ψ, N/m per m; draws × knots, draw by draw; ≥ 0
+  std::vector<double> slip_displacement = {};  ///< points x*, m; rising, ≥ 0; two or more
+  std::vector<double> stiffness_density = {};  ///< ψ, N/m per m; draws × points, by draws; ≥ 0
   std::vector<double> stiffness = {};          ///< k of each draw, N/m; > 0
 
   std::optional<double> atom_slip_displacement = {};  ///< m; > 0; nothing without an atom

@@ -10,7 +10,7 @@
 #include "microslip/observe/levels.hpp"
 
 /// @file
-/// levels.csv: one row a level. Needed: `amplitude [m]`, `dissipation [J]`. Used when there:
+/// levels.csv: one row per level. Needed: `amplitude [m]`, `dissipation [J]`. Optional:
 /// `amplitude_std [m]`, `dissipation_std [J]`, `secant_stiffness [N/m]`, `secant_stiffness_std
 /// [N/m]`, `resonance_frequency [Hz]` or else `frequency [Hz]` with the same name and `_std`,
 /// `reversals [1]` of the joint displacement in a cycle, `flags`, and `assembly`, the name of the
@@ -21,16 +21,16 @@ namespace microslip {
 
 /// Levels in the order of the file, with the place of each.
 struct LevelsFile {
-  Levels levels;                        ///< in the order of the file
-  std::string file;                     ///< its name, for messages
-  std::vector<std::size_t> line;        ///< one a level, from 1
-  std::vector<double> reversals;        ///< one a level, 1; empty where the file does not tell
-  std::vector<std::string> flags = {};  ///< one a level, between blanks; empty where there are none
-  std::vector<std::string> assembly = {};  ///< one a level; empty where the file does not tell
+  Levels levels;                           ///< in the order of the file
+  std::string file;                        ///< its name, for messages
+  std::vector<std::size_t> line;           ///< one per level, from 1
+  std::vector<double> reversals;           ///< one per level, 1; empty where not given
+  std::vector<std::string> flags = {};     ///< one per level, separated by blanks; empty if none
+  std::vector<std::string> assembly = {};  ///< one per level; empty where not given
   std::vector<double> stiffness = {};  ///< k of the assembly of a level, N/m; if it was asked for
 
-  /// D tells of the density where the joint turns twice a cycle; with inner reversals it holds the
-  /// loss of inner loops too [AR14 (7)].
+  /// D determines the density where the joint reverses twice per cycle; with inner reversals it
+  /// includes the loss of inner loops too [AR14 (7)].
   [[nodiscard]] bool has_inner_reversals(std::size_t level) const {
     return !reversals.empty() && reversals[level] > 2.0;
   }
@@ -42,14 +42,14 @@ struct LevelsFile {
 /// The file without the levels that have inner reversals.
 [[nodiscard]] LevelsFile without_inner_reversals(const LevelsFile& file);
 
-/// How the column `linear_dissipation [J]`, W_lin, is taken.
+/// Use of the column `linear_dissipation [J]`, W_lin.
 enum class LinearLossColumn {
   kIgnored,  ///< not read
-  kUsed,     ///< read where it is there
-  kNeeded,   ///< must be there
+  kUsed,     ///< read where present
+  kNeeded,   ///< required
 };
 
-/// What parse_levels() reads beside what every identification uses.
+/// Options of parse_levels(): columns in addition to those of every identification.
 struct LevelsReadOptions {
   LinearLossColumn linear_dissipation = LinearLossColumn::kIgnored;  ///< how W_lin is taken
   bool assemblies = false;  ///< no name in `assembly` is empty; `stiffness [N/m]` is read

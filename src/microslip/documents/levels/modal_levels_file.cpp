@@ -57,7 +57,7 @@ JointLevels read_joint_columns(const CsvTable& table, const std::string& joint) 
   return levels;
 }
 
-/// amplitude_x_std is of x, or the amplitude of a joint x_std: nobody could tell.
+/// amplitude_x_std is of x, or the amplitude of a joint x_std: ambiguous.
 void check_names_apart(const CsvTable& table, std::span<const std::string> joints) {
   for (const std::string& joint : joints) {
     const std::string other = joint + "_std";
@@ -97,7 +97,7 @@ void check_joint_names(const CsvTable& table, std::span<const std::string> joint
                         fmt::format("columns of joints of the model: {}", fmt::join(joints, ", ")),
                         fmt::format("{} of joint {}", in_quotes(column.name), in_quotes(name)),
                         closest.empty() ? "Name the column after a joint, or remove it."
-                                        : fmt::format("Is it to be {}{}?", quantity, closest));
+                                        : fmt::format("Did you mean {}{}?", quantity, closest));
     }
   }
 }
@@ -106,9 +106,9 @@ void check_loss(const CsvTable& table, const ModalLevels& levels) {
   const bool of_joint = std::ranges::any_of(
       levels.joints, [](const JointLevels& joint) { return !joint.dissipation.empty(); });
   if (!levels.dissipation.empty() || !levels.damping_ratio.empty() || of_joint) return;
-  throw FormatError({table.file()}, "a column 'dissipation [J]' or 'damping_ratio [1]'", "neither",
-                    "dissipation is that of all joints together, damping_ratio holds the structure "
-                    "too.");
+  throw FormatError(
+      {table.file()}, "a column 'dissipation [J]' or 'damping_ratio [1]'", "neither",
+      "dissipation is that of all joints together, damping_ratio includes the structure too.");
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 #include "microslip/observe/modal_levels.hpp"
 
 /// @file
-/// modal_levels.csv as it is read: one row a level. Needed: `mode [1]`, from 1, `displacement [m]`
-/// and `dissipation [J]` (of all joints together) or `damping_ratio [1]` (structure included), or
-/// `dissipation_NAME [J]` of a joint. Used when there: `frequency [Hz]`, `amplitude_NAME [m]`, and
-/// the standard deviation `_std` of each but mode and displacement. Other columns are left alone.
+/// modal_levels.csv as input: one row per level. Needed: `mode [1]`, from 1, `displacement [m]` and
+/// `dissipation [J]` (of all joints together) or `damping_ratio [1]` (structure included), or
+/// `dissipation_NAME [J]` of a joint. Optional: `frequency [Hz]`, `amplitude_NAME [m]`, and the
+/// standard deviation `_std` of each but mode and displacement. Other columns are left alone.
 
 namespace microslip {
 

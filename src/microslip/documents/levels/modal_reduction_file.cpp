@@ -10,9 +10,9 @@
 namespace microslip {
 namespace {
 
-/// Of a joint's force that no sensor shows, above which its D is not told.
+/// Share of a joint's force that no sensor shows, above which its D is not given.
 constexpr double kMostUnseen = 0.1;
-/// Of an amplitude that is told all the same.
+/// Largest relative uncertainty of an amplitude that is given nevertheless.
 constexpr double kKnownAmplitude = 0.05;
 
 using LevelValue = std::function<double(const ModalLevel&)>;

@@ -15,9 +15,10 @@ namespace microslip {
 /// drive_frequency [Hz], force_amplitude [N], input_energy [J], linear_dissipation [J],
 /// force_distortion [1], flags`; flags stand between blanks.
 ///
-/// Of a joint that is not seen in some level, `unseen_NAME [1]` is the share of its force that is
-/// not, and its D and k_eq are not told; nor is its amplitude, unless it is known to 5 % all the
-/// same: the model's stands as `assumed_amplitude_NAME [m]`, with its standard deviation.
+/// For a joint that is not observed at some level, `unseen_NAME [1]` is the unobserved share of its
+/// force, and its D and k_eq are not given; nor is its amplitude, unless it is known to 5 %
+/// nevertheless: that of the model is given as `assumed_amplitude_NAME [m]`, with its standard
+/// deviation.
 /// @param levels   one at least. @param joints  their names.
 /// @throws InputError  where there is no level, or a value is not finite.
 [[nodiscard]] CsvWriter modal_reduction_table(std::span<const ModalLevel> levels,

@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// What a joint is led through.
+/// Displacement path and normal load imposed on a joint.
 struct DisplacementPath {
   std::vector<double> displacement;  ///< x, m
   std::vector<double> normal_load;   ///< p = P_N/P_0, 1; ≥ 0; empty where it is constant
@@ -29,7 +29,7 @@ struct DisplacementPath {
 
 /// The table of a path with the forces on it.
 /// @param path   of at least one point.
-/// @param force  N; one a point of the path.
+/// @param force  N; one per point of the path.
 /// @throws InputError  where the lengths differ or a value is not finite.
 [[nodiscard]] CsvWriter loop_table(const DisplacementPath& path, std::span<const double> force);
 

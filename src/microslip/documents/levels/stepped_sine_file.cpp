@@ -50,12 +50,12 @@ bool are_of_sweep(const std::vector<std::string>& names) {
          has_any({"acceleration", "amplitude", "velocity", "displacement", "phase"});
 }
 
-/// What becomes of a motion that is none of acceleration.
+/// Conversion of a displacement or velocity to acceleration.
 std::string motion_remedy(const std::vector<std::string>& names) {
   for (const auto& [name, factor] :
        {std::pair{"displacement", "(2 pi frequency)^2"}, std::pair{"velocity", "2 pi frequency"}}) {
     if (has_all(names, {name})) {
-      return fmt::format("It has the {}: multiplied by {} that is the acceleration.", name, factor);
+      return fmt::format("It has the {}: multiply it by {} to get the acceleration.", name, factor);
     }
   }
   return {};
@@ -74,8 +74,8 @@ void require_parts(const std::vector<std::string>& names, const TextPlace& place
   std::string remedy = moves ? std::string() : motion_remedy(names);
   if (!lags) {
     remedy += fmt::format(
-        "{}The phase is that of the acceleration against the force; the resonance "
-        "is where it passes a quarter turn.",
+        "{}The phase is that of the acceleration relative to the force; at resonance it is a "
+        "quarter turn.",
         remedy.empty() ? "" : " ");
   }
   throw FormatError(place, fmt::format("{} of a stepped sine with {}", source, missing),
@@ -127,7 +127,7 @@ std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
   const std::size_t count = mat_count(part.file, part.variable);
   if (count == 0) {
     throw InputError(fmt::format("{}: {}", part.file, part.variable), "an empty array",
-                     "must hold a sweep at least");
+                     "must contain at least one sweep");
   }
   std::vector<SteppedSine> sweeps;
   for (std::size_t i = 1; i <= count; ++i) {
@@ -140,7 +140,7 @@ std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
 
 /// The first bytes; none of a pipe, which is not even opened. Standard input is left where it was.
 std::string head_of(const std::string& path) {
-  std::error_code ignored;  // what is not there is no pipe
+  std::error_code ignored;  // a missing file is not a pipe
   if (std::filesystem::is_fifo(path, ignored)) return {};
   InputStream file(path);
   if (!file.rewind()) return {};

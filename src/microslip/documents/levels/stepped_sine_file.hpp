@@ -10,12 +10,12 @@
 /// @file
 /// Tables of stepped-sine sweeps.
 ///
-///   * CSV: `frequency [Hz], force [N], acceleration [m/s^2], phase [rad]`, a row a step, one sweep
-///     a file.
+///   * CSV: `frequency [Hz], force [N], acceleration [m/s^2], phase [rad]`, one row per step,
+///     one sweep per file.
 ///   * `FILE.mat:VARIABLE`: a struct with the fields `frequency`, `force`, `acceleration` or
-///     `amplitude`, and `phase`, vectors of one length; a struct array holds a sweep an element.
-///     They are in Hz, N, m/s² and rad, or in what a field `units` says in this order: "Hz, N, g,
-///     deg".
+///     `amplitude`, and `phase`, vectors of one length; a struct array has one sweep per element.
+///     They are in Hz, N, m/s² and rad, or in the units of a field `units`, in this order: "Hz, N,
+///     g, deg".
 
 namespace microslip {
 

@@ -37,7 +37,7 @@ std::string known(const CsvTable& table, std::string_view column, std::string_vi
   const std::string_view closest = closest_name(name, names);
   throw FormatError({table.file()}, fmt::format("{} of the model, {}", what, listed(names)),
                     fmt::format("column '{}'", column),
-                    closest.empty() ? "" : fmt::format("Is it to be '{}'?", closest));
+                    closest.empty() ? "" : fmt::format("Did you mean '{}'?", closest));
 }
 
 /// The only one, for a column that names none.

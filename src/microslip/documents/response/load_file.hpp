@@ -9,7 +9,7 @@
 #include "microslip/joint/jenkins_network.hpp"
 
 /// @file
-/// What acts on a structure over time, as a table:
+/// Load histories of a structure as a table:
 ///
 ///     time [s]                  rising, even or not
 ///     force [N]                 at the excitation of the model, of which there is one

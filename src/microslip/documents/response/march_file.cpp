@@ -18,7 +18,7 @@
 namespace microslip {
 namespace {
 
-/// What is told of a march in comments, without their marks.
+/// Comments on a march, without their marks.
 std::vector<std::string> comments_on(const MarchResult& result) {
   const Summary& s = result.summary;
   const MarchEnergy& energy = result.energy;

@@ -22,10 +22,10 @@
 ///                         it along with, from rest on; the others are relative to the base
 ///
 /// with `acceleration of BASE [m/s^2]` for the load on a base,
-/// and, where there are draws, between which values they lie: `displacement_lower [m]`,
-/// `displacement_upper [m]`, and the same of each column after the forces that act.
+/// and, with draws, the limits of their band: `displacement_lower [m]`, `displacement_upper [m]`,
+/// and those of each column after the loads.
 ///
-/// Its comments tell how the march ended, "NOT CONVERGED" where it did not, the estimated error,
+/// Its comments state how the march ended, "NOT CONVERGED" where it did not, the estimated error,
 /// where the energy went, and what warnings there were.
 
 namespace microslip {

@@ -43,7 +43,7 @@ void add_rest(std::size_t count, std::string_view what, CsvWriter& table) {
   table.add_comment(fmt::format("{}: and {} more", what, count - kMostMarks));
 }
 
-/// What a curve that did not converge ended in may be no number.
+/// The last point of a curve that did not converge may be NaN.
 std::vector<SteadyVibration> writable(const ResponseCurve& curve) {
   std::vector<SteadyVibration> points;
   std::ranges::copy_if(curve.points, std::back_inserter(points), is_finite);
@@ -236,13 +236,13 @@ std::vector<double> peak_marks(const ResponseCurve& curve) {
   return marks;
 }
 
-/// The rows that writable() leaves of one value a point.
+/// The rows that writable() leaves of one value per point.
 std::vector<double> written(const ResponseCurve& curve, const std::vector<double>& values,
                             const BandColumns& band) {
   if (values.size() != curve.points.size()) {
     throw InputError(fmt::format("values of the band {}", band.name),
                      static_cast<double>(values.size()),
-                     fmt::format("must be {}, one a point", curve.points.size()));
+                     fmt::format("must be {}, one per point", curve.points.size()));
   }
   std::vector<double> rows;
   for (std::size_t i = 0; i < values.size(); ++i) {

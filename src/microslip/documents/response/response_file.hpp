@@ -18,24 +18,24 @@
 ///     amplitude_NAME [m], dissipation_NAME [J], reversals_NAME [1]    of each joint
 ///     energy_imbalance [1]    |W_ext − W_lin − ΣD|/W_ext: how well the equations are solved
 ///
-/// and their comments tell how the computation ended, "NOT CONVERGED" where it did not, and the
+/// and their comments state how the computation ended, "NOT CONVERGED" where it did not, and the
 /// warnings of the curve.
 
 namespace microslip {
 
-/// What is high or low along a curve, as its column is called.
+/// Ordinate of a curve, named as its column.
 struct CurveHeight {
   std::string_view name;  ///< "displacement", "force", "base_acceleration"
   Dimension dimension;    ///< of its values
-  bool drives =
-      false;  ///< whether it is what drives the structure, found for a response that is kept
+  bool drives = false;    ///< whether it is the drive, found for a constant response
 };
 
-/// Of what drives a structure: "force", or "base_acceleration" of one whose base is driven.
+/// Ordinate of the drive of a structure: "force", or "base_acceleration" of one whose base is
+/// driven.
 [[nodiscard]] CurveHeight drive_of(const JointedStructure& structure);
-/// The same of a curve: "force" with modal forcing, whatever the model drives.
+/// Ordinate of the drive of a curve: "force" with modal forcing, whatever the model drives.
 [[nodiscard]] CurveHeight drive_column(const HarmonicBalance& balance);
-/// Of the first harmonic of the displacement at the response point.
+/// Ordinate of the first harmonic of the displacement at the response point.
 [[nodiscard]] CurveHeight displacement_height();
 
 /// Whether a point of the curve is finite, so that there is one to write.
@@ -45,8 +45,8 @@ struct CurveHeight {
 struct BandColumns {
   std::string name;           ///< the columns are NAME_lower, NAME_upper; empty: lower, upper
   Dimension dimension;        ///< of both
-  std::vector<double> lower;  ///< one a point of the curve
-  std::vector<double> upper;  ///< one a point of the curve
+  std::vector<double> lower;  ///< one per point of the curve
+  std::vector<double> upper;  ///< one per point of the curve
 };
 
 /// frf.csv: `frequency [Hz], force [N], displacement [m], phase [rad], velocity [m/s], acceleration
@@ -60,7 +60,7 @@ struct BandColumns {
 /// each joint tell about what they vibrate. Where the curve turns back frequencies are not sorted;
 /// its peaks and turning points stand in the comments too, the first 100 of each. Frequencies have
 /// 15 digits, so that one that was asked for is the number that was given.
-/// What is not finite, as it may be where nothing converged, is left out.
+/// Non-finite values, which may occur without convergence, are left out.
 /// @param balance  that the curve is of.
 /// @param curve    its warnings become comments.
 /// @param heading  the first comment; may be empty.

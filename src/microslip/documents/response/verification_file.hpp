@@ -11,7 +11,7 @@
 
 namespace microslip {
 
-/// One row a record and channel: `source, channel, status, frequency [Hz], response_amplitude
+/// One row per record and channel: `source, channel, status, frequency [Hz], response_amplitude
 /// [m/s^2], NRMSE [1], noise_share [1], amplitude_ratio [1], phase_error [rad]`, of the first
 /// harmonic, predicted over recorded; then, the same in all rows of a record, `joint_amplitude [m],
 /// predicted_joint_amplitude [m], input_energy [J], predicted_input_energy [J], frequency_offset
@@ -19,8 +19,8 @@ namespace microslip {
 /// @throws InputError  where there is no record, or a value is not finite.
 [[nodiscard]] CsvWriter verification_table(std::span<const Verification> records);
 
-/// One row a record and harmonic: `source, harmonic [1], frequency [Hz]`, and for each channel, in
-/// its unit, `<channel>_recorded, <channel>_recorded_phase [rad], <channel>_recorded_std,
+/// One row per record and harmonic: `source, harmonic [1], frequency [Hz]`, and per channel, in its
+/// unit, `<channel>_recorded, <channel>_recorded_phase [rad], <channel>_recorded_std,
 /// <channel>_predicted, <channel>_predicted_phase [rad]`: of |c_n| cos(nωt + phase), with t = 0
 /// where the first harmonic of the acceleration at the exciter is largest.
 /// @param records  of one rig.

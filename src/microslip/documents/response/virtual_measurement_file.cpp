@@ -23,7 +23,7 @@ FoundLevels found_levels(std::span<const VirtualLevel> levels) {
     if (level.summary.converged()) found.push_back(&level);
   }
   if (!found.empty()) return found;
-  throw InputError("levels of the test", "none found", "must have one at least",
+  throw InputError("levels of the test", "none found", "must have at least one",
                    levels.empty() ? "" : levels.front().summary.reason);
 }
 
@@ -80,7 +80,7 @@ CsvWriter truth_table(std::span<const VirtualLevel> levels, const Joint& joint,
                       std::span<const std::string> sources) {
   if (sources.size() != levels.size()) {
     throw InputError("sources", static_cast<double>(sources.size()),
-                     fmt::format("must be one a level, {}", levels.size()));
+                     fmt::format("must be one per level, {}", levels.size()));
   }
   const FoundLevels found = found_levels(levels);
   std::vector<ReducedLevel> truth;

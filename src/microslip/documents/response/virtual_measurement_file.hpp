@@ -9,11 +9,11 @@
 #include "microslip/rig/virtual_test/virtual_measurement.hpp"
 
 /// @file
-/// The tables of a virtual test, one row a level that was found; those that were not are comments.
+/// The tables of a virtual test, one row per converged level; the others are comments.
 
 namespace microslip {
 
-/// What the reduction of the records should find: the columns of reduction_table(), without
+/// Exact results for the reduction of the records: the columns of reduction_table(), without
 /// standard deviations, and `mean_displacement [m]` of the joint. The secant stiffness is k_eq(A)
 /// of the joint (joint/secant.hpp), the resonance that of phase resonance under a pure force, the
 /// flags are the warnings of the level.
@@ -24,7 +24,7 @@ namespace microslip {
 [[nodiscard]] CsvWriter truth_table(std::span<const VirtualLevel> levels, const Joint& joint,
                                     std::span<const std::string> sources);
 
-/// What the force control did: `level, response_amplitude [m/s^2], frequency [Hz],
+/// History of the force control: `level, response_amplitude [m/s^2], frequency [Hz],
 /// control_iterations [1], force_before [N], force_after [N]` of the fundamental, and `before_n
 /// [1], after_n [1]`, n = 2 … N, the harmonics of the force over the fundamental. "Before" is under
 /// a sinusoidal voltage. [AR14 Fig. 7]

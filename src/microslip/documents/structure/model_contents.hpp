@@ -11,15 +11,15 @@
 #include "microslip/rig/setup/point_sensor.hpp"
 
 /// @file
-/// What a model.toml holds; model_file.hpp says how it is written.
+/// Contents of a model.toml; model_file.hpp specifies the format.
 
 namespace microslip {
 
-/// What a model.toml holds.
+/// Contents of a model.toml.
 struct ModelFile {
   JointedStructure structure;            ///< with its joints and excitations
   std::string response;                  ///< the point where the response is measured
-  std::vector<std::string> joint_files;  ///< one a joint, as they were opened
+  std::vector<std::string> joint_files;  ///< one per joint, as they were opened
   /// covered_to() of each joint's file, N; fewer where they are not known.
   std::vector<std::optional<double>> covered_to = {};
   /// identified_damping() of each joint's file, J/m²; fewer where they are not known. What the
@@ -30,21 +30,21 @@ struct ModelFile {
   std::vector<std::size_t> to_find = {};
   /// Files of the draws of each joint, empty where it has none; fewer where they are not known.
   std::vector<std::string> joint_samples = {};
-  /// Whether the model says the linear damping of each joint itself; fewer: it does not.
+  /// Whether the model itself gives the linear damping of each joint; fewer: it does not.
   std::vector<bool> damping_said = {};
   StructureSpread spread = {};  ///< of its numbers
   /// How many of its modes, the last, stand for the static flexibility of those that are left out,
-  /// those of a residual among them; 0 where none is left out, nothing where that is not told.
+  /// those of a residual among them; 0 where none is left out, nothing where that is not given.
   std::optional<std::size_t> static_attachments = {};
-  /// Of recordings: the channel of the force of each excitation, empty where it is not told.
+  /// Of recordings: the channel of the force of each excitation, empty where it is not given.
   std::vector<std::string> force_channels = {};
   std::vector<PointSensor> accelerometers = {};  ///< of recordings; predictions do not use them
 };
 
-/// Whether a model may hold joints that are still to be found.
+/// Whether a model may contain joints still to be identified.
 enum class JointsToFind {
   kRefused,  ///< a prediction needs them
-  kAllowed,  ///< for those who find them
+  kAllowed,  ///< for their identification
 };
 
 }  // namespace microslip

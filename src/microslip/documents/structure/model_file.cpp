@@ -39,15 +39,15 @@ std::vector<double> read_shape(const TomlTable& table, std::size_t modes) {
   std::vector<double> shape = read_signed(table, "shape", kLargestShape);
   if (shape.size() == modes) return shape;
   throw wrong_count(table, "shape", shape.size(),
-                    fmt::format("must have {}, one a mode of structure.frequency_Hz", modes));
+                    fmt::format("must have {}, one per mode of structure.frequency_Hz", modes));
 }
 
-/// A shape that moves nothing is a slip of the pen: the joint or the force would have no effect.
+/// A shape of zeros is a mistake: the joint or the force would have no effect.
 void require_motion(const TomlTable& table, const std::vector<double>& shape) {
   const auto is_small = [](double value) { return std::abs(value) < kSmallestShape; };
   if (!std::ranges::all_of(shape, is_small)) return;
   throw InputError(table.name("shape"), "0 in all modes",
-                   fmt::format("must be {:g} or more in one mode at least", kSmallestShape));
+                   fmt::format("must be {:g} or more in at least one mode", kSmallestShape));
 }
 
 // ---- The linear part. ----
@@ -58,7 +58,7 @@ ModalDamping read_structure_damping(const TomlTable& structure, std::size_t mode
   if (damping.loss_factor.size() == 1) damping.loss_factor.resize(modes, damping.loss_factor[0]);
   if (damping.loss_factor.size() == modes) return damping;
   throw wrong_count(structure, damping.key, damping.loss_factor.size(),
-                    fmt::format("must have {}, one a mode of structure.frequency_Hz{}", modes,
+                    fmt::format("must have {}, one per mode of structure.frequency_Hz{}", modes,
                                 modes == 1 ? "" : ", or 1 for all"));
 }
 
@@ -72,7 +72,7 @@ std::vector<ModalPoint> read_points(const TomlTable& structure, std::size_t mode
     require_motion(table, points.back().shape);
   }
   if (points.empty()) {
-    throw InputError(structure.name("point"), "an empty array", "must have one point at least",
+    throw InputError(structure.name("point"), "an empty array", "must have at least one point",
                      "Write [[structure.point]] with name and shape.");
   }
   return points;
@@ -92,21 +92,21 @@ std::vector<ModalBase> read_bases(const TomlTable& structure, std::size_t modes,
     const ModalBase& base = bases.back();
     if (base.participation.size() != modes) {
       throw wrong_count(table, "participation", base.participation.size(),
-                        fmt::format("must have {}, one a mode of structure.frequency_Hz", modes));
+                        fmt::format("must have {}, one per mode of structure.frequency_Hz", modes));
     }
     if (base.point_motion.size() != points.size()) {
       throw wrong_count(table, "point_motion", base.point_motion.size(),
-                        fmt::format("must have {}, one a structure.point", points.size()));
+                        fmt::format("must have {}, one per structure.point", points.size()));
     }
     if (std::ranges::all_of(base.participation, is_zero)) {
       throw InputError(table.name("participation"), "0 in all modes",
-                       "must be another in one mode at least");
+                       "must not be 0 in at least one mode");
     }
   }
   return bases;
 }
 
-/// Relative standard deviations, one a mode.
+/// Relative standard deviations, one per mode.
 std::vector<double> read_spread(const TomlTable& structure, std::string_view key,
                                 std::size_t modes) {
   if (!structure.has(key)) return {};
@@ -115,7 +115,7 @@ std::vector<double> read_spread(const TomlTable& structure, std::string_view key
   if (spread.size() == modes) return spread;
   throw wrong_count(
       structure, key, spread.size(),
-      fmt::format("must have {}, one a mode of structure.frequency_Hz, or 1 for all", modes));
+      fmt::format("must have {}, one per mode of structure.frequency_Hz, or 1 for all", modes));
 }
 
 template <class Named>
@@ -125,7 +125,7 @@ std::vector<std::string> names_of(std::span<const Named> named) {
   return names;
 }
 
-/// How many of the modes stand for those that are left out; nothing where it is not said.
+/// Number of modes that represent those left out; nothing where it is not given.
 std::optional<std::size_t> read_attachments(const TomlTable& structure,
                                             const std::vector<Mode>& modes) {
   if (!structure.has(kAttachmentsKey)) return std::nullopt;
@@ -141,7 +141,7 @@ std::optional<std::size_t> read_attachments(const TomlTable& structure,
   const auto fastest = std::max_element(modes.begin(), first, slower);
   if (count == 0 || !slower(*std::min_element(first, modes.end(), slower), *fastest)) return count;
   throw InputError(structure.name(kAttachmentsKey), static_cast<double>(count),
-                   "must be of the last modes, which must lie above the others");
+                   "must be of the last modes, which must be above the others in frequency");
 }
 
 std::vector<std::string> read_names(const TomlTable& table, std::string_view key) {
@@ -153,8 +153,8 @@ std::optional<ResidualFlexibility> read_residual(const TomlTable& structure) {
   const TomlTable table = structure.table("residual");
   table.allow_only({"points", "joints", "compliance_m_per_N"});
   if (structure.has(kAttachmentsKey)) {
-    throw InputError(structure.name("residual"), fmt::format("beside {}", kAttachmentsKey),
-                     "must not be there: what the modes leave out would count twice");
+    throw InputError(structure.name("residual"), fmt::format("given with {}", kAttachmentsKey),
+                     "must not be given: the residual would count twice");
   }
   return ResidualFlexibility{read_names(table, "points"), read_names(table, "joints"),
                              read_signed(table, "compliance_m_per_N", kLargestCompliance)};
@@ -174,7 +174,7 @@ LinearPart read_structure(const TomlTable& structure) {
                         "frequency_std", "loss_factor_std", kAttachmentsKey});
   const std::vector<double> frequency = read_positive(structure, "frequency_Hz", kHighestFrequency);
   if (frequency.empty()) {
-    throw wrong_count(structure, "frequency_Hz", 0, "must have one a mode, 1 at least");
+    throw wrong_count(structure, "frequency_Hz", 0, "must have one per mode, at least 1");
   }
   const ModalDamping damping = read_structure_damping(structure, frequency.size());
   std::vector<Mode> modes;
@@ -200,9 +200,10 @@ std::vector<double> read_shortening(const TomlTable& table, std::size_t modes) {
   if (!table.has(kKey)) return {};
   std::vector<double> values = read_signed(table, kKey, kLargestShortening);
   if (values.size() == modes * modes) return values;
-  throw wrong_count(table, kKey, values.size(),
-                    fmt::format("must have {}, the rows of a symmetric matrix with one row a mode",
-                                modes * modes));
+  throw wrong_count(
+      table, kKey, values.size(),
+      fmt::format("must have {}, the rows of a symmetric matrix with one row per mode",
+                  modes * modes));
 }
 
 /// The joint itself comes from its file, and its linear damping where the model does not say.
@@ -265,7 +266,7 @@ ModelFile read_tables(const TomlTable& top, std::string_view file, JointsToFind 
     model.static_attachments = linear.attachments;
     if (linear.residual) add_residual(*linear.residual, model);
     return model;
-  } catch (const InputError& error) {  // what concerns several keys
+  } catch (const InputError& error) {  // rules on several keys
     throw error.renamed(fmt::format("{}: {}", file, error.name()));
   }
 }

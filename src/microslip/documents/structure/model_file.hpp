@@ -13,17 +13,17 @@
 ///
 ///     schema = "microslip.model/1"
 ///     [structure]       frequency_Hz = […], of the linear part; damping_ratio = […] (viscous
-///                       damping, ζ = η/2) or loss_factor = […] (hysteretic, η), one a mode or one
-///                       for all
-///     [[structure.point]] name, shape = […]; one at least
-///     [[structure.base]] name, participation = […] (Γ, kg^½, one a mode), point_motion = […] (one
-///                       a point): supports that an excitation accelerates; optional
-///     [structure.residual] points = […] and joints = […], names of those where the modes left out
-///                       give way, and compliance_m_per_N = […], by rows, points first; see
+///                       damping, ζ = η/2) or loss_factor = […] (hysteretic, η), one per mode or
+///                       one for all
+///     [[structure.point]] name, shape = […]; at least one
+///     [[structure.base]] name, participation = […] (Γ, kg^½, one per mode), point_motion = […]
+///                       (one per point): supports that an excitation accelerates; optional
+///     [structure.residual] points = […] and joints = […], names of those with flexibility of the
+///                       modes left out, and compliance_m_per_N = […], by rows, points first; see
 ///                       ResidualFlexibility; optional. static_attachments in [structure]: so many
 ///                       of the modes, the last, hold that already; 0 where none is left out
 ///     [[joint]]         file, shape = […]: of the relative displacement across the joint; in place
-///                       of file stiffness_N_per_m (k) for a joint that is still to be found;
+///                       of file stiffness_N_per_m (k) for a joint still to be identified;
 ///                       optional: name, spring_in_modes_N_per_m, series_compliance_m_per_N,
 ///                       shortening_per_kg_m = […] (Γ by rows), linear_damping_J_per_m2 (β; without
 ///                       the key that of the joint file's identification); any number of them, also
@@ -36,7 +36,7 @@
 ///     [[accelerometer]] channel, point: of recordings of the structure; optional
 ///
 /// How uncertain it is, all optional, see StructureSpread: frequency_std and loss_factor_std in
-/// [structure], one a mode or one for all; normal_load_std of a [[joint]]; gain_std of an
+/// [structure], one per mode or one for all; normal_load_std of a [[joint]]; gain_std of an
 /// [excitation] and of the [response]. `samples` of a [[joint]] is a joint_samples.h5, relative to
 /// the folder of the model: its draws, which are not read here.
 ///

@@ -20,8 +20,8 @@ constexpr double kLargestStaticLoad = 1e12;  // N, m/s²
 JointSource read_joint_to_find(const TomlTable& table, JointsToFind to_find) {
   if (to_find == JointsToFind::kRefused) {
     throw FormatError(table.place(kStiffnessKey), "a joint with the key file",
-                      "one that is to be found, with stiffness_N_per_m in its place",
-                      "Find it first, by calibrate, or name its joint.json.");
+                      "one to be identified, with stiffness_N_per_m in its place",
+                      "Identify it first with calibrate, or name its joint.json.");
   }
   const double stiffness = table.number(kStiffnessKey);
   if (!(stiffness >= kSmallestStiffness && stiffness <= kLargestStiffness)) {
@@ -36,12 +36,12 @@ JointSource read_joint_to_find(const TomlTable& table, JointsToFind to_find) {
 JointSource read_source(const TomlTable& table, std::string_view model, JointsToFind to_find) {
   if (table.has(kStiffnessKey) && table.has("file")) {
     throw FormatError(table.place(kStiffnessKey), "file or stiffness_N_per_m", "both",
-                      "A joint.json has the stiffness of its joint.");
+                      "A joint.json contains the stiffness of its joint.");
   }
   if (table.has(kStiffnessKey)) {
     if (table.has(kSamplesKey)) {
       throw FormatError(table.place(kSamplesKey), "samples of a joint with the key file",
-                        "those of one that is still to be found", "Leave samples out.");
+                        "those of one still to be identified", "Leave samples out.");
     }
     return read_joint_to_find(table, to_find);
   }
@@ -75,14 +75,14 @@ std::string read_place(const TomlTable& table, std::string_view key, PointNames 
       there.empty() ? fmt::format("must be the name of {}, and there is none", what)
                     : fmt::format("must be the name of {}: {}", what, in_quotes(list, 120));
   throw InputError(table.name(key), in_quotes(place), rule,
-                   closest.empty() ? "" : fmt::format("Is it to be {}?", in_quotes(closest)));
+                   closest.empty() ? "" : fmt::format("Did you mean {}?", in_quotes(closest)));
 }
 
 std::string read_point(const TomlTable& table, PointNames points) {
   return read_place(table, "point", points, "a point");
 }
 
-/// Of what acts: a point by the key point, or a base by the key base.
+/// Place of a load: a point by the key point, or a base by the key base.
 std::string read_loaded(const TomlTable& table, PointNames points, PointNames bases) {
   if (!table.has("base")) return read_point(table, points);
   if (table.has("point")) {
@@ -96,13 +96,14 @@ std::vector<std::complex<double>> read_harmonics(const TomlTable& table) {
   std::vector<double> amplitude{1.0};
   if (table.has("harmonics")) amplitude = read_signed(table, "harmonics", kLargestHarmonic);
   if (std::ranges::all_of(amplitude, is_zero)) {
-    throw InputError(table.name("harmonics"), "no harmonic", "must have one that is not 0");
+    throw InputError(table.name("harmonics"), "no harmonic",
+                     "must have at least one that is not 0");
   }
   std::vector<double> phase(amplitude.size(), 0.0);
   if (table.has("phase_rad")) phase = read_signed(table, "phase_rad", kLargestHarmonic);
   if (phase.size() != amplitude.size()) {
     throw wrong_count(table, "phase_rad", phase.size(),
-                      fmt::format("must have {}, one a harmonic", amplitude.size()));
+                      fmt::format("must have {}, one per harmonic", amplitude.size()));
   }
   std::vector<std::complex<double>> harmonics;
   for (std::size_t i = 0; i < amplitude.size(); ++i) {
@@ -117,7 +118,7 @@ std::string read_channel(const TomlTable& table, std::vector<std::string>& names
   std::string channel = table.text("channel");
   if (channel.empty() || std::ranges::find(names, channel) != names.end()) {
     throw InputError(table.name("channel"), in_quotes(channel),
-                     "must be a channel of the recordings, and no two the same");
+                     "must be a channel of the recordings, each only once");
   }
   return names.emplace_back(std::move(channel));
 }
@@ -136,7 +137,7 @@ std::vector<PointSensor> read_accelerometers(const TomlTable& top, PointNames po
 
 constexpr std::string_view kGainSpreadKey = "gain_std";
 
-/// @param channels  of their forces, empty where one is not told.
+/// @param channels  of their forces, empty where not given.
 /// @param gains     spread of the gain of each.
 std::vector<Excitation> read_excitations(const TomlTable& top, PointNames points, PointNames bases,
                                          std::vector<std::string>& channels,
@@ -151,7 +152,7 @@ std::vector<Excitation> read_excitations(const TomlTable& top, PointNames points
     gains.push_back(read_optional(table, kGainSpreadKey, kLargestSpread));
   }
   if (!excitations.empty()) return excitations;
-  throw InputError(top.name("excitation"), "an empty array", "must have one excitation at least",
+  throw InputError(top.name("excitation"), "an empty array", "must have at least one excitation",
                    "Write [excitation] with point.");
 }
 

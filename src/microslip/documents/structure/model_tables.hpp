@@ -17,8 +17,8 @@
 #include "microslip/io/config/toml_input.hpp"
 
 /// @file
-/// Tables that model.toml and STRUCTURE.toml have in common: joints and where they come from, what
-/// drives and what is measured. Internal to io.
+/// Tables that model.toml and STRUCTURE.toml have in common: joints and their origin, excitations
+/// and measured points. Internal to io.
 
 namespace microslip {
 
@@ -26,7 +26,7 @@ namespace microslip {
 inline constexpr double kHighestFrequency = 1e9;    // Hz, of a mode
 inline constexpr double kLargestLossFactor = 1e3;   // 1
 inline constexpr double kLargestStiffness = 1e15;   // N/m, that of a joint
-inline constexpr double kSmallestStiffness = 1e-6;  // N/m, of a joint that is to be found
+inline constexpr double kSmallestStiffness = 1e-6;  // N/m, of a joint to be identified
 inline constexpr double kLargestSpread = StructureDraws::kLargestSpread;
 
 inline constexpr std::string_view kStiffnessKey = "stiffness_N_per_m";
@@ -38,7 +38,7 @@ inline constexpr std::string_view kNormalLoadSpreadKey = "normal_load_std";
 /// The numbers of a key, each from 0 to `most`.
 [[nodiscard]] std::vector<double> read_positive(const TomlTable& table, std::string_view key,
                                                 double most);
-/// The numbers of a key, each up to `most` either way.
+/// The numbers of a key, each from -`most` to `most`.
 [[nodiscard]] std::vector<double> read_signed(const TomlTable& table, std::string_view key,
                                               double most);
 /// The number of a key, from 0 to `most`; `otherwise` without the key.
@@ -82,7 +82,7 @@ auto read_named(const TomlTable& table, std::string_view key, const std::string&
   }
 }
 
-/// The loss factors of modes, as a table tells them.
+/// The loss factors of modes, as given in a table.
 struct ModalDamping {
   std::vector<double> loss_factor;  ///< η = 2ζ, as many as the key has
   DampingLaw law;                   ///< viscous by damping_ratio, hysteretic by loss_factor
@@ -101,7 +101,7 @@ struct ModalDamping {
                                             JointsToFind to_find);
 
 /// The tables excitation, static_load, response and accelerometer.
-/// @param points  names that there are. @param bases  likewise.
+/// @param points  names of the points. @param bases  names of the bases.
 [[nodiscard]] DrivenPoints read_driven_points(const TomlTable& top,
                                               std::span<const std::string> points,
                                               std::span<const std::string> bases);

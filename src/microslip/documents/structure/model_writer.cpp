@@ -70,8 +70,8 @@ bool brings_damping(const ModelFile& model, std::size_t joint) {
 }
 
 bool says_damping(const ModelFile& model, std::size_t joint) {
-  const bool said = joint < model.damping_said.size() && model.damping_said[joint];
-  if (said) return true;
+  const bool given = joint < model.damping_said.size() && model.damping_said[joint];
+  if (given) return true;
   if (brings_damping(model, joint)) return false;
   if (model.structure.joints()[joint].linear_damping > 0.0) return true;
   const bool known = joint < model.identified_damping.size();
@@ -123,7 +123,7 @@ std::string format_model(const ModelFile& model, std::string_view comment) {
   const std::span<const StructuralJoint> joints = model.structure.joints();
   if (model.joint_files.size() != joints.size()) {
     throw InputError("joint_files", fmt::format("{} files", model.joint_files.size()),
-                     fmt::format("must be {}, one a joint", joints.size()));
+                     fmt::format("must be {}, one per joint", joints.size()));
   }
   TomlLines lines;
   lines.comment(comment);
@@ -132,9 +132,9 @@ std::string format_model(const ModelFile& model, std::string_view comment) {
   for (std::size_t i = 0; i < joints.size(); ++i) write_joint(model, i, lines);
   const std::span<const Excitation> excitations = model.structure.excitations();
   for (std::size_t i = 0; i < excitations.size(); ++i) {
-    const bool told = i < model.force_channels.size();
+    const bool has_channel = i < model.force_channels.size();
     write_excitation(model.structure, excitations[i],
-                     told ? model.force_channels[i] : std::string(),
+                     has_channel ? model.force_channels[i] : std::string(),
                      spread_at(model.spread.force_gain, i), lines);
   }
   for (const StaticLoad& load : model.structure.static_loads()) {

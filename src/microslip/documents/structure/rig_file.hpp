@@ -16,7 +16,7 @@
 ///     [damping]         loss_factor = […]
 ///     [[mass]]          position_m, mass_kg; any number of them
 ///     [excitation]      position_m, channel
-///     [[accelerometer]] position_m, channel; one at least
+///     [[accelerometer]] position_m, channel; at least one
 ///     [vibrometer]      channel, measures = "joint" or "axial"; optional
 ///     [test]            response_acceleration = { from_m_per_s2, to_m_per_s2, count,
 ///                       spacing = "linear" or "log" }, sampling_rate_Hz, duration_s and, optional,

@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t kLargestStructureFile = std::size_t{16} << 20U;
 constexpr std::string_view kAttachmentKey = "attachment";
 
-/// What the matrices of a file are in.
+/// Units of the matrices of a file.
 struct MatrixUnits {
   double length = 1.0;  ///< m
   double force = 1.0;   ///< N
@@ -37,8 +37,8 @@ struct MatrixUnits {
 
 bool turns(const DegreeOfFreedom& degree) { return degree.direction >= NodalDirection::kTurnX; }
 
-/// Energy is force times length; a rotation has no unit. Of rows that nobody's are told, all are
-/// translations.
+/// Energy is force times length; a rotation has no unit. Where the rows have no degrees of freedom,
+/// all are translations.
 void convert(SymmetricEntries& matrix, const std::vector<DegreeOfFreedom>& degrees,
              const MatrixUnits& units) {
   if (units.length == 1.0 && units.force == 1.0) return;
@@ -66,7 +66,7 @@ StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view fi
   const std::string mass = path_beside(table, "mass", "a matrix", file);
   if (read_named(table, "stiffness", stiffness, is_dmig_file)) {
     if (table.has("degrees_of_freedom")) {
-      throw FormatError(table.place("degrees_of_freedom"), "no such key beside entries DMIG",
+      throw FormatError(table.place("degrees_of_freedom"), "no such key with DMIG entries",
                         "it: they name points and components themselves");
     }
     return read_named(table, "mass", mass,
@@ -90,9 +90,9 @@ StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
                      fmt::format("must have {}, as the stiffness matrix", matrices.stiffness.size));
   }
   if (!matrices.degrees.empty() && matrices.degrees.size() != matrices.stiffness.size) {
-    throw InputError(table.name("degrees_of_freedom"),
-                     fmt::format("{} lines", matrices.degrees.size()),
-                     fmt::format("must be {}, one a row of the matrices", matrices.stiffness.size));
+    throw InputError(
+        table.name("degrees_of_freedom"), fmt::format("{} lines", matrices.degrees.size()),
+        fmt::format("must be {}, one per row of the matrices", matrices.stiffness.size));
   }
   convert(matrices.stiffness, matrices.degrees, units);
   convert(matrices.mass, matrices.degrees, units);
@@ -188,10 +188,10 @@ void read_joints(const TomlTable& top, std::string_view file, const NodeSets& se
 }
 
 void read_mode_range(const TomlTable& modes, StructureFile& read) {
-  const bool told = modes.has("count") || modes.has("up_to_Hz");
-  if (modes.has("count") == modes.has("up_to_Hz") && (told || !read.test)) {
+  const bool limited = modes.has("count") || modes.has("up_to_Hz");
+  if (modes.has("count") == modes.has("up_to_Hz") && (limited || !read.test)) {
     throw FormatError(modes.place("up_to_Hz"), "in modes one of the keys count and up_to_Hz",
-                      told ? "both" : "neither");
+                      limited ? "both" : "neither");
   }
   if (modes.has("count")) {
     read.count = modes.whole("count");
@@ -220,7 +220,7 @@ void read_joints_in_modes(const TomlTable& modes, StructureFile& read) {
 void read_modal_damping(const TomlTable& modes, StructureFile& read) {
   ModalDamping damping = read_damping(modes, "modes", "count");
   if (damping.loss_factor.empty()) {
-    throw wrong_count(modes, damping.key, 0, "must have one at least");
+    throw wrong_count(modes, damping.key, 0, "must have at least one");
   }
   read.loss_factor = std::move(damping.loss_factor);
   read.law = damping.law;
@@ -234,18 +234,18 @@ void read_modes(const TomlTable& modes, StructureFile& read) {
   read_modal_damping(modes, read);
 }
 
-/// What a test tells by itself may be left out; whether joints were stuck in it nobody can guess.
+/// Keys that a test itself determines may be left out, but not whether joints were stuck in it.
 void read_tested_modes(const TomlTable& top, StructureFile& read) {
   const bool joints = top.has("joint");
-  const std::string rule = "free or stuck: whether joints were there in the test";
+  const std::string rule = "free or stuck: state of the joints in the test";
   if (!top.has("modes")) {
     if (!joints) return;
     throw FormatError(top.place("joint"), "in modes the key joints, " + rule, "no [modes]");
   }
   const TomlTable modes = top.table("modes");
   if (modes.has(kAttachmentKey)) {
-    throw FormatError(modes.place(kAttachmentKey), "attachment beside [matrices]", "a test",
-                      "Leave it out: static shapes take matrices.");
+    throw FormatError(modes.place(kAttachmentKey), "attachment with [matrices]", "a test",
+                      "Leave it out: static shapes need matrices.");
   }
   modes.allow_only({"count", "up_to_Hz", "joints", "loss_factor", "damping_ratio"});
   if (modes.has("count") && !read.test->start_frequency.empty()) {

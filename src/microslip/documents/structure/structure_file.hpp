@@ -18,7 +18,7 @@
 ///
 ///     schema = "microslip.structure/1"
 ///     [matrices]     stiffness, mass: of read_matrix_file(); degrees_of_freedom: a file with a
-///                    line a row, `node.direction`; or, in place of the three, calculix: the path
+///                    line per row, `node.direction`; or, in place of the three, calculix: the path
 ///                    of JOB.sti, JOB.mas and JOB.dof without the ending. length_unit, force_unit:
 ///                    of the matrices and of nodes in files without units; m and N without them
 ///     [test]         in place of [matrices]: shapes, a universal file with datasets 55 or 2414,
@@ -37,10 +37,10 @@
 ///     [[joint]]      name; to and from, tables with a place, without from against the ground;
 ///                    direction; file or stiffness_N_per_m and what else a model's joint has of its
 ///                    own: samples, normal_load_std, linear_damping_J_per_m2
-///     [[base]]       name; direction, or rows = […] (from 1) that move by 1: what is held, and the
+///     [[base]]       name; direction, or rows = […] (from 1) that move by 1: the supports, and the
 ///                    structure with it, as a shaker table moves them; optional
 ///     [modes]        count or up_to_Hz; joints = "free" (default) or "stuck"; attachment (default
-///                    true); loss_factor or damping_ratio: one a mode, later ones take the last
+///                    true); loss_factor or damping_ratio: one per mode, later ones take the last
 ///                    With [test] all optional, but joints where there are any, and no attachment
 ///     [excitation], [[static_load]], [response], [[accelerometer]]: as in a model
 ///
@@ -51,7 +51,7 @@
 
 namespace microslip {
 
-/// What a STRUCTURE.toml holds, and the files it names.
+/// Contents of a STRUCTURE.toml and of the files it names.
 struct StructureFile {
   MeshedStructure structure;                     ///< with its matrices, where it has any
   std::optional<TestedStructure> test = {};      ///< in place of matrices

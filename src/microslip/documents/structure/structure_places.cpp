@@ -39,11 +39,11 @@ std::vector<std::int64_t> read_nodes(const TomlTable& table) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     nodes.push_back(checked_node(table.name(kNodesKey, i), numbers[i]));
     if (!seen.insert(nodes.back()).second) {
-      throw InputError(table.name(kNodesKey, i), numbers[i], "must be there once only");
+      throw InputError(table.name(kNodesKey, i), numbers[i], "must be given only once");
     }
   }
   if (!nodes.empty()) return nodes;
-  throw InputError(table.name(kNodesKey), "an empty array", "must have a node at least");
+  throw InputError(table.name(kNodesKey), "an empty array", "must have at least one node");
 }
 
 std::array<double, 2> read_range(const TomlTable& box, std::string_view key) {
@@ -51,9 +51,9 @@ std::array<double, 2> read_range(const TomlTable& box, std::string_view key) {
   const bool in_order = range.size() == 2 && range[0] <= range[1] &&
                         std::abs(range[0]) <= kFarthest && std::abs(range[1]) <= kFarthest;
   if (in_order) return {range[0], range[1]};
-  throw InputError(
-      box.name(key), fmt::format("{} value{}", range.size(), range.size() == 1 ? "" : "s"),
-      fmt::format("must be two, from and to, rising, up to {:g} m either way", kFarthest));
+  throw InputError(box.name(key),
+                   fmt::format("{} value{}", range.size(), range.size() == 1 ? "" : "s"),
+                   fmt::format("must be two, from and to, rising, within ±{:g} m", kFarthest));
 }
 
 std::vector<std::int64_t> nodes_in_box(const TomlTable& set, const MeshFile& mesh) {
@@ -75,7 +75,7 @@ std::vector<std::int64_t> nodes_in_box(const TomlTable& set, const MeshFile& mes
   }
   if (!nodes.empty()) return nodes;
   throw InputError(set.name("box"), fmt::format("none of {} nodes", mesh.nodes.size()),
-                   "must have a node at least",
+                   "must have at least one node",
                    mesh.nodes.empty() ? "Give [nodes] with a file." : "Its numbers are in m.");
 }
 
@@ -136,7 +136,7 @@ Vector3 read_vector(const TomlTable& table, std::string_view key) {
   }
   throw InputError(table.name(key),
                    fmt::format("{} value{}", values.size(), values.size() == 1 ? "" : "s"),
-                   fmt::format("must be three, x, y and z, up to {:g} either way", kFarthest));
+                   fmt::format("must be three, x, y and z, within ±{:g}", kFarthest));
 }
 
 std::optional<std::size_t> named_direction(std::string_view text) {
@@ -169,7 +169,7 @@ NodeSets::NodeSets(const TomlTable& top, const MeshFile& mesh) {
     const std::string name = table.text("name");
     if (name.empty() || own_.contains(name) || meshed_.contains(in_capitals(name))) {
       throw InputError(table.name("name"), in_quotes(name),
-                       "must be a text, and no set of the file or of the mesh before it");
+                       "must be a text that no earlier set of the file or mesh has");
     }
     own_[name] = only_key(table, {kNodesKey, "box"}) == "box" ? nodes_in_box(table, mesh)
                                                               : read_nodes(table);
@@ -182,7 +182,7 @@ const std::vector<std::int64_t>& NodeSets::find(const TomlTable& table,
   if (const auto found = own_.find(name); found != own_.end()) return found->second;
   if (const auto found = meshed_.find(in_capitals(name)); found != meshed_.end()) {
     if (!found->second.empty()) return found->second;
-    throw InputError(table.name(key), in_quotes(name), "must have a node at least");
+    throw InputError(table.name(key), in_quotes(name), "must have at least one node");
   }
   std::vector<std::string_view> names;
   for (const auto& [its, nodes] : own_) names.emplace_back(its);
@@ -192,7 +192,7 @@ const std::vector<std::int64_t>& NodeSets::find(const TomlTable& table,
   throw InputError(table.name(key), in_quotes(name),
                    "must be a [[set]] of the file, or a set of the mesh of [nodes]",
                    closest.empty() ? fmt::format("There are {} sets.", names.size())
-                                   : fmt::format("Is it to be {}?", in_quotes(closest)));
+                                   : fmt::format("Did you mean {}?", in_quotes(closest)));
 }
 
 MeshPlace read_place(const TomlTable& table, const NodeSets& sets) {
@@ -215,7 +215,7 @@ MeshPlace read_place(const TomlTable& table, const NodeSets& sets) {
 std::vector<std::size_t> read_rows(const TomlTable& table) {
   const std::vector<double> numbers = table.numbers(kRowsKey);
   if (numbers.empty()) {
-    throw InputError(table.name(kRowsKey), "an empty array", "must have one row at least");
+    throw InputError(table.name(kRowsKey), "an empty array", "must have at least one row");
   }
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -252,8 +252,8 @@ MeshSupport read_support(const TomlTable& table, const NodeSets& sets) {
 MeshDirection read_direction(const TomlTable& table, bool needed) {
   if (!needed) {
     if (!table.has("direction")) return {};
-    throw FormatError(table.place("direction"), "a place with nodes", "rows, which have their own",
-                      "Leave it out.");
+    throw FormatError(table.place("direction"), "a place with nodes",
+                      "rows, which define their own", "Leave it out.");
   }
   if (table.is_text("direction")) return read_named_direction(table, table.text("direction"));
   MeshDirection direction{.axis = read_vector(table, "direction")};

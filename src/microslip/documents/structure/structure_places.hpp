@@ -25,7 +25,7 @@ class NodeSets {
   /// None.
   NodeSets() = default;
 
-  /// The nodes of the set that a key names. @throws InputError  with the name that is near.
+  /// The nodes of the set that a key names. @throws InputError  with the closest name.
   [[nodiscard]] const std::vector<std::int64_t>& find(const TomlTable& table,
                                                       std::string_view key) const;
 

@@ -13,7 +13,7 @@
 #include "microslip/structure/modal_model.hpp"
 
 /// @file
-/// What a STRUCTURE.toml has of a test in place of matrices.
+/// Test data of a STRUCTURE.toml in place of matrices.
 
 namespace microslip {
 
@@ -27,7 +27,7 @@ struct TestedStructure {
   std::optional<std::array<double, 2>> band = {};  ///< of the responses that is looked at, Hz
   std::vector<double> start_frequency = {};        ///< of the modes, Hz; empty: they are searched
   DampingLaw law = DampingLaw::kViscous;           ///< of the modes in the responses
-  std::vector<double> modal_mass = {};   ///< kg, in place of those of the shapes; one a shape
+  std::vector<double> modal_mass = {};   ///< kg, in place of those of the shapes; one per shape
   std::optional<UnitSystem> units = {};  ///< of shapes without dataset 164
   std::vector<Warning> warnings = {};    ///< of the reader
 };

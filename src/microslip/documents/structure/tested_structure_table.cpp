@@ -88,10 +88,10 @@ DampingLaw read_law(const TomlTable& test) {
   throw InputError(test.name(kDampingKey), in_quotes(law), "must be viscous or hysteretic");
 }
 
-/// Numbers of a key, each above 0; one at least.
+/// Numbers of a key, each above 0; at least one.
 std::vector<double> read_above_zero(const TomlTable& test, std::string_view key, double most) {
   std::vector<double> values = read_positive(test, key, most);
-  if (values.empty()) throw wrong_count(test, key, 0, "must have one at least");
+  if (values.empty()) throw wrong_count(test, key, 0, "must have at least one");
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(values[i] > 0.0)) throw InputError(test.name(key, i), values[i], "must be above 0");
   }
@@ -104,7 +104,7 @@ void refuse_idle(const TomlTable& test, std::string_view key, std::string_view w
                  std::string_view here) {
   if (!test.has(key)) return;
   throw InputError(test.name(key), InputState{"given"},
-                   fmt::format("changes nothing with {}: it is for {}", here, wanted),
+                   fmt::format("has no effect with {}: it applies to {}", here, wanted),
                    "Leave it out.");
 }
 

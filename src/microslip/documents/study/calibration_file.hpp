@@ -8,15 +8,15 @@
 #include "microslip/io/config/named_values.hpp"
 
 /// @file
-/// calibration.json, schema microslip.calibration/1: what calibrate() found that belongs to no
-/// single level and no single slip force.
+/// calibration.json, schema microslip.calibration/1: results of calibrate() that belong to no
+/// single level or slip force.
 
 namespace microslip {
 
-/// What a calibration.json holds.
+/// Contents of a calibration.json.
 struct CalibrationFile {
   std::optional<Provenance> provenance = {};  ///< how it came to be
-  NamedValues calibration = {};               ///< what was found
+  NamedValues calibration = {};               ///< the results
 };
 
 /// @param text  of the file. @param file  its name, for messages.

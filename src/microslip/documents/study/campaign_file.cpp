@@ -85,13 +85,13 @@ std::size_t draws_in(const TomlTable& table, CampaignSubject subject) {
                    "1000 give a smooth band.");
 }
 
-/// What only draws show is refused without them, not ignored.
+/// Refuses keys that need draws where there are none.
 void check_draws_used(const TomlTable& table, std::size_t draws,
                       const std::vector<std::string_view>& keys) {
   if (draws > 0) return;
   for (const std::string_view key : keys) {
     if (!table.has(key)) continue;
-    throw InputError(table.name(key), InputState{"given"}, "belongs to draws, and there are none",
+    throw InputError(table.name(key), InputState{"given"}, "requires draws, and there are none",
                      "Give [identification] draws = 1000, or leave it out.");
   }
 }
@@ -109,11 +109,12 @@ void check_of_subject(const TomlTable& table, CampaignSubject subject) {
     throw InputError(
         table.name(key), InputState{"given"},
         of_model
-            ? "belongs to one joint, identified from its levels, and this campaign is of a model"
-            : "belongs to joints of a model, found from levels of modes, and this campaign is "
+            ? "applies to one joint, identified from its levels, and this campaign is of a model"
+            : "applies to joints of a model, identified from levels of modes, and this campaign is "
               "of a rig",
-        of_model ? "Leave it out: k of each joint and gains of readings stand in the model.toml."
-                 : "Leave it out, or give model = \"model.toml\" in place of structure.");
+        of_model
+            ? "Leave it out: the model.toml gives k of each joint and the gains of the sensors."
+            : "Leave it out, or give model = \"model.toml\" in place of structure.");
   }
 }
 
@@ -139,7 +140,7 @@ void read_identification_of_model(const TomlTable& table, CampaignFile& campaign
   campaign.fit_stiffness = word_in(table, "stiffness", {"given", "fit"}) == 1;
   if (campaign.fit_stiffness && campaign.frequency != FrequencyOfLevels::kAbsolute) {
     throw InputError(table.name("stiffness"), in_quotes("fit"),
-                     "needs absolute frequencies: changes tell nothing of k",
+                     "needs absolute frequencies: their changes do not determine k",
                      "Give frequency = \"absolute\", or leave it out.");
   }
   campaign.modal_forcing = word_in(table, "forcing", {"excitation", "modal"}) == 1;
@@ -174,10 +175,9 @@ void read_campaign_identification(const TomlTable& table, CampaignFile& campaign
   if (table.has("seed")) campaign.seed = table.whole("seed");
   campaign.session_offsets = flag_in(table, "session_offsets");
   if (campaign.session_offsets && campaign.frequency == FrequencyOfLevels::kAbsolute) {
-    throw InputError(
-        table.name("session_offsets"), "true",
-        "contradicts frequency = \"absolute\", by which the modes of the model are exact",
-        "Give frequency = \"change\", or leave it out.");
+    throw InputError(table.name("session_offsets"), "true",
+                     "contradicts frequency = \"absolute\", which assumes exact modes of the model",
+                     "Give frequency = \"change\", or leave it out.");
   }
   campaign.leave_out = leave_out_in(table, campaign.subject);
   std::vector<std::string_view> drawn{"seed", "dissipation_gain_std", "amplitude_gain_std"};
@@ -232,20 +232,20 @@ void check_of_kind(const TomlTable& table, const CampaignTest& test, CampaignKin
     if (!table.has(key)) continue;
     throw InputError(
         table.name(key), InputState{"given"},
-        fmt::format("belongs to kind = \"{}\", and that is {} here", to_string(kind),
+        fmt::format("applies to kind = \"{}\", and kind is {} here", to_string(kind),
                     test.kind == CampaignKind::kTold ? "not given"
                                                      : fmt::format("\"{}\"", to_string(test.kind))),
         fmt::format("Leave it out, or give kind = \"{}\".", to_string(kind)));
   }
 }
 
-/// What is predicted of stepped sines means nothing to the levels that they are reduced to.
+/// The kind of prediction of stepped sines does not apply to levels reduced from them.
 void check_kind_used(const TomlTable& table, const CampaignTest& test) {
   const bool of_sweeps =
       test.kind == CampaignKind::kSweep || test.kind == CampaignKind::kConstantResponse;
   if (!of_sweeps || test.predicted()) return;
   throw InputError(table.name("kind"), in_quotes(to_string(test.kind)),
-                   "does nothing: it is what of a sweep is predicted, and this is not",
+                   "has no effect: it applies to a sweep that is predicted, and this is not one",
                    "Leave it out.");
 }
 
@@ -257,7 +257,7 @@ std::vector<std::string> sensors_in(const TomlTable& test) {
     sensors.push_back(fmt::format("{}={}", channel, table.text(channel)));
   }
   if (!sensors.empty()) return sensors;
-  throw InputError(test.name("sensors"), "empty", "must have a channel at least",
+  throw InputError(test.name("sensors"), "empty", "must have at least one channel",
                    "For instance { acc1 = \"drive\" }.");
 }
 
@@ -280,8 +280,8 @@ void check_kind_of_subject(const TomlTable& table, const CampaignTest& test,
       table.name("kind"), in_quotes("loops"),
       "is a test of one joint, and the campaign is of a model",
       test.identifies()
-          ? "The subcommand identify finds a joint from it, which the model takes by its file."
-          : "The subcommand verify, with the option joint, predicts it by the model that is "
+          ? "The subcommand identify identifies a joint from it; the model refers to its file."
+          : "The subcommand verify, with the option joint, predicts it with the model that is "
             "written.");
 }
 
@@ -339,7 +339,7 @@ void read_campaign_tests(const TomlTable& top, std::string_view file, CampaignFi
   }
   if (std::ranges::any_of(campaign.tests, &CampaignTest::identifies)) return;
   throw InputError(top.name("test"), fmt::format("{} to predict", campaign.tests.size()),
-                   "must have one at least to identify from",
+                   "must have at least one to identify from",
                    "Give one use = \"identify\", or \"both\".");
 }
 
@@ -350,27 +350,27 @@ void read_subject(const TomlTable& top, std::string_view file, CampaignFile& cam
   }
   if (top.has("structure")) {
     throw InputError(top.name("model"), InputState{"given"},
-                     "must not stand beside structure: a campaign is of one of them",
+                     "must not be given with structure: a campaign has one of them",
                      "structure is a rig.toml, model a model.toml.");
   }
   campaign.subject = CampaignSubject::kModel;
   campaign.structure = path_in(top, "model", file);
 }
 
-/// What would do nothing.
+/// Refuses keys without effect.
 void check_enough(const TomlTable& top, const CampaignFile& campaign) {
   const std::vector<std::string> sessions = campaign.sessions();
   if (campaign.session_offsets && sessions.size() < 2) {
     throw InputError(top.table("identification").name("session_offsets"), "true",
-                     fmt::format("does nothing: all tests to identify from are of session {}",
+                     fmt::format("has no effect: all tests to identify from are of session {}",
                                  in_quotes(sessions.front())),
-                     "Leave it out, or say which tests are of another session.");
+                     "Leave it out, or specify the tests of another session.");
   }
   const auto tests = std::ranges::count_if(campaign.tests, &CampaignTest::identifies);
   if (campaign.leave_out == LeaveOut::kTests && tests < 2) {
     throw InputError(top.table("identification").name("leave_one_out"), in_quotes("tests"),
                      "leaves nothing: there is one test to identify from",
-                     "\"levels\" leaves out one level after the other.");
+                     "\"levels\" leaves out one level at a time.");
   }
 }
 
@@ -401,7 +401,7 @@ std::string_view to_string(CampaignKind kind) {
     case CampaignKind::kTold:
       break;
   }
-  return "told by the file";
+  return "from the file";
 }
 
 const CampaignCondition* CampaignTest::condition(std::string_view name) const {

@@ -15,7 +15,7 @@
 ///     schema = "microslip.campaign/1"
 ///     title = "…"            optional
 ///     structure = "rig.toml" of which all tests are, relative to the folder of the campaign; or
-///     model = "model.toml"   likewise, of any number of joints, some of which are to be found
+///     model = "model.toml"   the same, with any number of joints, some to be identified
 ///     [identification]       optional: edges = "sought" or "none", draws, seed, session_offsets,
 ///                            leave_one_out = "none", "tests" or "levels"; of a rig
 ///                            stiffness_N_per_m, optional: linear_damping = "none" or "fit",
@@ -30,7 +30,7 @@
 ///                            "constant-response", "ringdown" or "loops"; of ring-downs sensors = {
 ///                            CHANNEL = "POINT" } and mode; of loops force and displacement, names
 ///                            of channels; of recordings assume_units = [ … ], as "acc1=m/s^2" or
-///                            "SI", and allow_truncated; one at least
+///                            "SI", and allow_truncated; at least one
 
 namespace microslip {
 
@@ -38,14 +38,14 @@ namespace microslip {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 
-/// What a test of a campaign is for.
+/// Use of a test of a campaign.
 enum class CampaignUse {
   kIdentify,  ///< the joint is identified from it, with the others
   kPredict,   ///< it is predicted
   kBoth,      ///< both: its prediction is no proof
 };
 
-/// What is left out in turn and predicted from the rest.
+/// Parts that are left out in turn and predicted from the rest.
 enum class LeaveOut {
   kNothing,
   kTests,   ///< each test
@@ -53,33 +53,33 @@ enum class LeaveOut {
   kModes,   ///< each mode, over all tests; of a model
 };
 
-/// Of what a campaign is.
+/// Subject of a campaign.
 enum class CampaignSubject {
   kRig,    ///< a rig.toml: one joint, from its levels
   kModel,  ///< a model.toml: joints, from levels of its modes
 };
 
-/// What a test is, where its file does not tell or is to be taken otherwise.
+/// Kind of a test, where its file does not determine it or another one is meant.
 enum class CampaignKind {
-  kTold,              ///< by the file: levels, modal levels, steady records, stepped sines
+  kTold,              ///< from the file: levels, modal levels, steady records, stepped sines
   kSweep,             ///< stepped sines, of which the response is predicted
   kConstantResponse,  ///< stepped sines, of which the force is predicted
   kRingDown,          ///< a recording of a free decay
   kLoops,             ///< recordings of force and displacement of the joint
 };
 
-/// What frequencies of levels of modes count for, as FrequencyUse of calibrate().
+/// Use of the frequencies of levels of modes, as FrequencyUse of calibrate().
 enum class FrequencyOfLevels { kChange, kAbsolute, kIgnore };
 
 #pragma GCC diagnostic pop
 
-/// "sweep", "constant-response", "ringdown", "loops"; "told by the file".
+/// "sweep", "constant-response", "ringdown", "loops"; "from the file".
 [[nodiscard]] std::string_view to_string(CampaignKind kind);
 
 /// "identify", "predict", "both".
 [[nodiscard]] std::string_view to_string(CampaignUse use);
 
-/// Something that was the case in a test: "torque_Nm", "20".
+/// A condition of a test: "torque_Nm", "20".
 struct CampaignCondition {
   std::string name;                   ///< letters, digits and underscores
   std::string value;                  ///< as text; a number as the shortest that reads back
@@ -88,7 +88,7 @@ struct CampaignCondition {
 
 /// A test of a campaign.
 struct CampaignTest {
-  std::string name;                                ///< usable as that of a file; no two the same
+  std::string name;                                ///< usable as a file name; unique
   std::string file;                                ///< to be opened; may be `FILE:VARIABLE`
   CampaignUse use = CampaignUse::kIdentify;        ///< what it is for
   std::string session = "1";                       ///< in which it was measured
@@ -97,7 +97,7 @@ struct CampaignTest {
   std::vector<std::string> sensors = {};           ///< CHANNEL=POINT; of ring-downs
   std::size_t mode = 1;                            ///< from 1; of ring-downs; 0: all there are
   std::string force = {};         ///< channel; of loops. Empty for the only force there is
-  std::string displacement = {};  ///< likewise
+  std::string displacement = {};  ///< as above
   std::vector<std::string> assumed_units = {};  ///< CHANNEL=UNIT or SI; of recordings
   bool allow_truncated = false;                 ///< of recordings
 
@@ -109,7 +109,7 @@ struct CampaignTest {
   [[nodiscard]] const CampaignCondition* condition(std::string_view name) const;
 };
 
-/// What a campaign.toml holds.
+/// Contents of a campaign.toml.
 struct CampaignFile {
   std::string title = {};                           ///< may be empty
   CampaignSubject subject = CampaignSubject::kRig;  ///< what `structure` is
@@ -123,7 +123,7 @@ struct CampaignFile {
   std::size_t draws = 0;              ///< of joint and predictions; 0: none
   std::uint64_t seed = 1;             ///< of them
   double dissipation_gain_std = 0.0;  ///< of D, common to all levels of a test, relative
-  double amplitude_gain_std = 0.0;    ///< of A, likewise
+  double amplitude_gain_std = 0.0;    ///< of A, as above
   bool session_offsets = false;       ///< whether those of the frequency are fitted
   FrequencyOfLevels frequency = FrequencyOfLevels::kChange;  ///< of a model
   bool fit_stiffness = false;               ///< whether k of the joints is found too; of a model

@@ -81,7 +81,7 @@ std::string path_of(const TomlTable& table, std::string_view key, std::string_vi
   return (std::filesystem::path(plan).parent_path() / file).string();
 }
 
-/// What a plan says in TOML, once: true or false.
+/// A boolean of a plan, given once.
 bool flag(const toml::table& table, const TomlTable& named, std::string_view key, bool otherwise) {
   const toml::node* node = table.get(key);
   if (node == nullptr) return otherwise;
@@ -113,7 +113,7 @@ std::vector<double> read_spaced(const TomlTable& range, Range allowed) {
   const bool ratios = range.has("spacing") && one_of(range, "spacing", {"linear", "log"}) == "log";
   if (ratios && !(from > 0.0 && to > 0.0)) {
     throw InputError(range.name("spacing"), in_quotes("log"),
-                     "needs values from and to above 0, between which it has equal ratios");
+                     "needs values from and to above 0, as its steps are equal ratios");
   }
   return spaced(from, to, count, ratios);
 }
@@ -125,7 +125,7 @@ std::vector<double> read_list(const toml::table& raw, const TomlTable& table, st
   if (node != nullptr && node->is_table()) return read_spaced(table.table(key), allowed);
   std::vector<double> values = table.numbers(key);
   if (values.empty()) {
-    throw InputError(table.name(key), "an empty array", "must have a value at least");
+    throw InputError(table.name(key), "an empty array", "must have at least one value");
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     (void)checked(values[i], table.name(key, i), allowed);
@@ -182,7 +182,7 @@ std::vector<std::size_t> read_numbers_of_levels(const TomlTable& table) {
     numbers.push_back(static_cast<std::size_t>(value));
   }
   if (numbers.empty()) {
-    throw InputError(table.name("levels"), "an empty array", "must have a number at least");
+    throw InputError(table.name("levels"), "an empty array", "must have at least one number");
   }
   return numbers;
 }
@@ -218,7 +218,7 @@ std::vector<std::vector<std::string>> read_sensors(const toml::table& raw, const
     }
   }
   if (sensors.empty()) {
-    throw InputError(table.name("sensors"), "an empty array", "must have a choice at least");
+    throw InputError(table.name("sensors"), "an empty array", "must have at least one choice");
   }
   return sensors;
 }
@@ -301,7 +301,7 @@ SweepPlan read_sweep(const toml::table& raw, const TomlTable& table, std::string
     plan.axes.push_back(read_axis(*arrays.get_as<toml::table>(i), axes[i]));
   }
   if (plan.axes.empty()) {
-    throw InputError(table.name("axis"), "an empty array", "must have one axis at least");
+    throw InputError(table.name("axis"), "an empty array", "must have at least one axis");
   }
   double points = 1.0;
   for (const SweepAxis& axis : plan.axes) points *= static_cast<double>(axis.values.size());
@@ -395,7 +395,7 @@ std::vector<PlannedCase> read_cases(const toml::table& content, const TomlTable&
                      "must differ from those of the other cases");
   }
   if (cases.empty()) {
-    throw InputError(top.name("case"), "an empty array", "must have one case at least",
+    throw InputError(top.name("case"), "an empty array", "must have at least one case",
                      "Write [[case]] with kind.");
   }
   return cases;

@@ -49,7 +49,7 @@ namespace microslip {
 
 /// A prediction that a plan asks for.
 struct PlannedCase {
-  /// By what it is made.
+  /// Kind of prediction.
   enum class Kind { kFrf, kBackbone, kMarch };
 
   std::string name;                         ///< "case 1" where the plan has none
@@ -74,24 +74,24 @@ struct PredictPlan {
   std::string correlation = "auto";  ///< of several joints
 };
 
-/// How an identification of a job is done.
+/// Options of the identification of a job.
 struct PlannedIdentification {
   bool linear_damping = false;  ///< β is fitted
   bool atom = false;            ///< an atom is sought
   bool edges = false;           ///< edges are sought
 };
 
-/// Levels drawn anew from those that were measured, and identified.
+/// Levels resampled from those that were measured, and identified.
 struct BootstrapPlan {
   std::string levels;                         ///< path of levels.csv, as it is opened
   double stiffness = 0.0;                     ///< k, N/m
   std::size_t count = 0;                      ///< identifications
   bool residuals = true;                      ///< residuals are drawn, not levels
-  std::size_t points = 50;                    ///< of the density that is told
+  std::size_t points = 50;                    ///< of the density that is written
   PlannedIdentification identification = {};  ///< options of each
 };
 
-/// Virtual tests of a joint that is known, and what they find.
+/// Virtual tests of a known joint and their identification.
 struct DesignPlan {
   std::string joint = {};  ///< path of joint.json, the truth, as it is opened
   std::string rig = {};    ///< path of rig.toml, as it is opened; empty: levels are drawn
@@ -135,7 +135,7 @@ struct EnsemblePlan {
   std::optional<std::size_t> block = {};  ///< jobs in a block; nothing: by their number
   std::variant<PredictPlan, BootstrapPlan, DesignPlan, SweepPlan> work;  ///< of the kind
   std::vector<PlannedCase> cases = {};                                   ///< of predict and sweep
-  /// What the jobs follow from, "key = value" each: all of the plan but raw, confidence and
+  /// Settings that determine the jobs, "key = value" each: all of the plan but raw, confidence and
   /// most_failed, which can change without a job being done again. The confidence is among them
   /// where a design has draws, of which each job makes a band.
   std::vector<std::string> settings = {};

@@ -20,7 +20,7 @@
 ///
 ///     OUTPUT         values × 8: count, mean, std, minimum, lower, median, upper, maximum;
 ///                    unit_str
-///     OUTPUT axis    of a curve, one a value; its name and unit_str
+///     OUTPUT axis    of a curve, one per value; its name and unit_str
 ///     OUTPUT values  jobs × values, NaN where a job has none, of the outputs that were asked for
 ///     failed jobs    the numbers of those that failed, the first kMostListed
 ///     grid N         values of axis N of a sweep, the last running fastest; number
@@ -52,7 +52,7 @@ struct EnsembleGroup {
   [[nodiscard]] std::size_t width() const;
 };
 
-/// What many values of one quantity come to.
+/// Statistics of the values of one quantity.
 struct ColumnStatistics {
   std::uint64_t count = 0;  ///< values; without NaN, and without jobs that failed
   double mean = 0.0;        ///< NaN, as all that follow, where there is none
@@ -81,21 +81,21 @@ struct FailedJobs {
   static constexpr std::size_t kMostListed = 10000;  ///< numbers that are kept
 };
 
-/// What became of a group.
+/// Result of a group.
 struct GroupResult {
   EnsembleGroup group;                   ///< as planned
-  std::vector<ColumnStatistics> values;  ///< one a value of a job
+  std::vector<ColumnStatistics> values;  ///< one per value of a job
   FailedJobs failed = {};                ///< its jobs that failed
 };
 
-/// What became of a plan.
+/// Result of a plan.
 struct EnsembleResult {
   std::string kind;                      ///< of the plan
   std::uint64_t seed = 0;                ///< of the plan
   double confidence = 0.0;               ///< between lower and upper
   std::string plan;                      ///< its text
-  std::vector<std::string> fingerprint;  ///< what the jobs follow from
-  std::vector<std::string> notes;        ///< what is assumed
+  std::vector<std::string> fingerprint;  ///< settings that determine the jobs
+  std::vector<std::string> notes;        ///< assumptions
   std::vector<std::string> raw;          ///< outputs whose values are kept; "*": all
   std::vector<GroupResult> groups;       ///< in the order of the plan
 

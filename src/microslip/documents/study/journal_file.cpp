@@ -107,7 +107,7 @@ Heading read_heading(int file, const std::string& path) {
     fail_format(path, "one whose heading is damaged");
   }
   Heading heading{read_at(file, line + 1, size, path), line + 1 + size};
-  if (heading.text.size() != size) fail_format(path, "one whose heading is not whole");
+  if (heading.text.size() != size) fail_format(path, "one whose heading is incomplete");
   return heading;
 }
 
@@ -204,7 +204,7 @@ const std::string& JournalReader::path() const { return state_->path; }
 std::string JournalReader::content(const JournalBlock& block) const {
   std::string content = read_at(state_->file.number(), block.offset, block.size, state_->path);
   if (content.size() == block.size) return content;
-  throw FileError(state_->path, "has become shorter while it was read");
+  throw FileError(state_->path, "became shorter while it was read");
 }
 
 struct JournalWriter::State {

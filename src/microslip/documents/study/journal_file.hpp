@@ -9,8 +9,8 @@
 #include <vector>
 
 /// @file
-/// Journals: what a long computation has finished, block by block, so that whatever stops it costs
-/// the blocks in work alone.
+/// Journals: what a long computation has finished, block by block, so that an interruption costs
+/// only the blocks in work.
 ///
 ///     microslip.journal/1\n
 ///     <length of the heading, decimal>\n<heading>
@@ -34,14 +34,14 @@ struct JournalBlock {
 class JournalReader {
  public:
   /// @throws FileError    where it cannot be read.
-  /// @throws FormatError  where it is no journal, or its heading is not whole.
+  /// @throws FormatError  where it is not a journal, or its heading is incomplete.
   explicit JournalReader(const std::string& path);
   ~JournalReader();
   /// Takes over the file of another one.
   JournalReader(JournalReader&& other) noexcept;
   JournalReader& operator=(JournalReader&&) = delete;
 
-  /// What its blocks are of.
+  /// Heading: what the blocks belong to.
   [[nodiscard]] const std::string& heading() const;
   /// The blocks that are whole, by rising number, each once.
   [[nodiscard]] const std::vector<JournalBlock>& blocks() const;
@@ -64,7 +64,7 @@ class JournalWriter {
   /// Opens the journal and cuts off what is not whole at its end; makes it where it is not there or
   /// empty.
   /// @param path     of the file; it need not exist.
-  /// @param heading  of a new one. What an old one says is not compared.
+  /// @param heading  of a new one. That of an old one is not compared.
   /// @throws FileError    where it cannot be written, or another process has it.
   /// @throws FormatError  where something else stands there.
   JournalWriter(const std::string& path, std::string_view heading);

@@ -25,7 +25,7 @@ std::vector<JointDraws> one_a_joint(std::vector<JointDraws> joints, std::size_t 
   if (joints.empty()) joints.resize(count);
   if (joints.size() == count) return joints;
   throw InputError("number of draws of joints", static_cast<double>(joints.size()),
-                   fmt::format("must be {}, one a joint, or 0", count));
+                   fmt::format("must be {}, one per joint, or 0", count));
 }
 
 /// What acts where this is read.

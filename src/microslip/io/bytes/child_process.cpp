@@ -35,7 +35,7 @@ class SpawnActions {
   SpawnActions& operator=(const SpawnActions&) = delete;
   ~SpawnActions() { posix_spawn_file_actions_destroy(&actions_); }
 
-  /// By way of a copy with a number above 2: where this program runs with a standard stream closed,
+  /// Via a copy with a number above 2: where this program runs with a standard stream closed,
   /// a file that has its number would be overwritten while the others are put in place.
   void connect(int file, int stream) {
     const FileDescriptor& copy = copies_.emplace_back(fcntl(file, F_DUPFD_CLOEXEC, 3));

@@ -32,7 +32,7 @@ std::string_view remedy_for_reading(const std::string& name, int error) {
     case ENOTDIR:
       return "A part of the path is a file, not a folder.";
     case EACCES:
-      return "Ask for the right to read it.";
+      return "Get permission to read it.";
     default:
       return {};
   }
@@ -47,7 +47,7 @@ void fail_reading(const std::string& name, int error) {
 
 FileDescriptor open_input(const std::string& path) {
   if (path.find('\0') != std::string::npos) {
-    throw FileError(path.c_str(), "cannot be read: the path holds a zero byte");
+    throw FileError(path.c_str(), "cannot be read: the path contains a zero byte");
   }
   FileDescriptor file(path == "-" ? ::dup(STDIN_FILENO)
                                   : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));

@@ -31,7 +31,7 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// The byte that place_at() calls so; the end of the text where there is none.
 [[nodiscard]] std::size_t offset_of(std::string_view text, const TextPlace& place);
 
-/// What stands at the byte at `offset`: the beginning of the rest of its line, in quotes, or "the
+/// Text at the byte at `offset`: the beginning of the rest of its line, in quotes, or "the
 /// end of the line" or of the file.
 [[nodiscard]] std::string found_at(std::string_view text, std::size_t offset);
 

@@ -49,8 +49,9 @@ struct RawCell {
 /// The text of a cell; a doubled quote in quotes becomes one.
 [[nodiscard]] std::string unescaped(const RawCell& cell);
 
-/// What a cell of the header, its text, says of its column: `name [unit]`, and `name (unit)` where
-/// `parentheses` may hold units too. Nothing where it has another form; the name may be empty.
+/// Name and unit of a column from the text of its header cell: `name [unit]`, and `name (unit)`
+/// where `parentheses` may hold units too. Nothing where it has another form; the name may be
+/// empty.
 [[nodiscard]] std::optional<CsvColumn> parse_column(std::string_view text, bool parentheses);
 
 /// Control characters, line breaks among them, become blanks.
@@ -66,7 +67,7 @@ void check_column_name(std::string_view name);
 /// Quoted where it would not read back as it is; empty cells too, which could make a blank line.
 void append_text_cell(std::string& text, std::string_view cell);
 
-/// What to do about a cell that should be a number and is none: dates, times of the day, others.
+/// Remedy for a cell that should be a number but is not: dates, times of the day, others.
 [[nodiscard]] std::string_view remedy_for_cell(std::string_view cell);
 
 /// Finds where cells end.

@@ -13,7 +13,7 @@
 
 namespace microslip {
 
-/// What stands above the rows of a table, see CsvTable.
+/// Lines above the rows of a table, see CsvTable.
 struct CsvHeader {
   char separator = ',';                    ///< of the cells of the table
   std::size_t start = 0;                   ///< where the header begins in the text

@@ -69,7 +69,7 @@ double NumberLines::number(std::string_view what) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool whole = !digits.empty() && end == digits.data() + digits.size();
-  // What is too small for a double is 0; from_chars does not say which way it was out of range.
+  // A number too small for a double is 0; from_chars does not distinguish it from one too large.
   const bool tiny = whole && error == std::errc::result_out_of_range &&
                     digits.find("e-") != std::string_view::npos;
   if (tiny) return 0.0;

@@ -16,9 +16,9 @@ namespace microslip {
 [[nodiscard]] std::string toml_with_number(std::string_view text, std::string_view file,
                                            const std::string& path, double value);
 
-/// The same of a JSON file.
+/// Changes a number of a JSON file, as above.
 /// @param text, file, path, value  as above.
-/// @throws FormatError, InputError  likewise.
+/// @throws FormatError, InputError  as above.
 [[nodiscard]] std::string json_with_number(std::string_view text, std::string_view file,
                                            const std::string& path, double value);
 

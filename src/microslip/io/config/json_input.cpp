@@ -33,8 +33,7 @@ class StructureCheck {
   void check_depth(int depth) const {
     if (depth < kDeepestNesting) return;
     throw FormatError({file_, 0, 0},
-                      fmt::format("at most {} objects and arrays in each other", kDeepestNesting),
-                      "more");
+                      fmt::format("at most {} nested objects and arrays", kDeepestNesting), "more");
   }
 
   void check_key(const std::string& key) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 /// @file
-/// JSON from files nobody has checked. Internal to io: no public header includes it.
+/// JSON from files of any origin. Internal to io: no public header includes it.
 
 namespace microslip {
 

@@ -10,7 +10,7 @@
 #include "microslip/io/config/named_values.hpp"
 
 /// @file
-/// What a record of joint.json or calibration.json, its results or its options, holds under a
+/// Value that a record of joint.json or calibration.json, its results or its options, has under a
 /// name. What is of another kind counts as missing.
 
 namespace microslip {

@@ -120,7 +120,7 @@ Provenance read_provenance(const Json& object) {
 }
 
 void append_string(std::string& text, std::string_view value) {
-  // What is no UTF-8, as the name of a file may be, becomes U+FFFD.
+  // Invalid UTF-8, possible in file names, becomes U+FFFD.
   text += Json(value).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -22,7 +22,7 @@ void append_string(std::string& text, std::string_view value);
 /// Appends a JSON array on one line.
 void append_numbers(std::string& text, const std::vector<double>& values);
 
-/// Appends a JSON object, one entry a line.
+/// Appends a JSON object, one entry per line.
 /// @throws InputError  where a number is not finite, a JsonText is no JSON, or a name comes twice.
 void append_named_values(std::string& text, const NamedValues& record, std::string_view indent);
 

@@ -37,7 +37,7 @@ FormatError unknown_key(const TextPlace& place, std::string_view path, std::stri
   const std::string_view closest = closest_name(key, allowed);
   return {place, fmt::format("{} the keys {}", where(path), fmt::join(allowed, ", ")),
           fmt::format("the unknown key {}", in_quotes(key)),
-          closest.empty() ? "Correct or remove it." : fmt::format("Is it to be '{}'?", closest)};
+          closest.empty() ? "Correct or remove it." : fmt::format("Did you mean '{}'?", closest)};
 }
 
 FormatError missing_key(const TextPlace& place, std::string_view path, std::string_view key,
@@ -45,7 +45,7 @@ FormatError missing_key(const TextPlace& place, std::string_view path, std::stri
   const std::string keys = fmt::format("{}", fmt::join(present, ", "));
   return {place, fmt::format("the key '{}' {}", key, where(path)),
           keys.empty() ? "no key" : fmt::format("the keys {}", in_quotes(keys, 120)),
-          key == "schema" ? "It says what the file is: docs/file_formats.md has it for each." : ""};
+          key == "schema" ? "It states the kind of the file: see docs/file_formats.md." : ""};
 }
 
 InputError wrong_type(std::string_view name, std::string_view found, std::string_view type,

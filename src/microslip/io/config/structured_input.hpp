@@ -9,7 +9,7 @@
 #include "microslip/io/kinds/file_kind.hpp"
 
 /// @file
-/// What the readers of JSON and TOML have in common: limits, the names of keys and the words of
+/// Common to the readers of JSON and TOML: limits, the names of keys and the words of
 /// their errors. An object is one of JSON or a table of TOML; its path in the file is "density[2]",
 /// empty at the top. Internal to io.
 

@@ -33,27 +33,27 @@ bool is_whole(const toml::node& node) {
 std::string_view remedy_for_syntax(std::string_view found, std::string_view said) {
   constexpr std::string_view kDigits = "0123456789";
   if (said.find("floating-point: expected decimal digit") != said.npos) {
-    return "A decimal point has a digit on either side: 80.0 or 0.5.";
+    return "A decimal point needs a digit on each side: 80.0 or 0.5.";
   }
   if (found.starts_with(',') && found.size() > 1 && kDigits.find(found[1]) != kDigits.npos) {
-    return "A number has a decimal point, no comma.";
+    return "Write a decimal point, not a comma.";
   }
-  if (found.starts_with(':')) return "A key and its value stand on either side of '='.";
-  if (found.starts_with(';')) return "Nothing stands behind a value but a comment: leave out ';'.";
+  if (found.starts_with(':')) return "Write key = value.";
+  if (found.starts_with(';')) return "Only a comment may follow a value: remove ';'.";
   for (const std::string_view quote : {"\u201C", "\u201D", "\u201E", "\u2018", "\u2019"}) {
-    if (found.starts_with(quote)) return "Quotes are straight: \"text\".";
+    if (found.starts_with(quote)) return "Use straight quotes: \"text\".";
   }
   if (said.find("escape sequence") != said.npos) {
-    return "In \"...\" a backslash begins an escape: write paths with '/', or in '...'.";
+    return "In \"...\" a backslash starts an escape: write paths with '/', or in '...'.";
   }
   if (said.find("control characters") != said.npos) {
-    return "A text ends with its quote in the same line.";
+    return "Close the quote on the same line.";
   }
-  return "A text stands in quotes, a number has a decimal point and no unit, a key stands once in "
-         "its table; each of several tables is a [[table]].";
+  return "Quote strings; write numbers with a decimal point and no unit; give each key once per "
+         "table; write [[table]] for each of several tables.";
 }
 
-/// What the parser says is passed on as it stands.
+/// The message of the parser is passed on verbatim.
 [[noreturn]] void fail_syntax(std::string_view text, std::string_view file,
                               const toml::parse_error& error) {
   constexpr std::size_t kLongest = 120;  // it may hold a whole key

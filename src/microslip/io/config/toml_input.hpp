@@ -14,7 +14,7 @@
 #include <toml++/toml.h>
 
 /// @file
-/// TOML 1.0 from files nobody has checked. Internal to io: no public header includes it.
+/// TOML 1.0 from files of any origin. Internal to io: no public header includes it.
 
 namespace microslip {
 

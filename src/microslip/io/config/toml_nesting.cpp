@@ -65,7 +65,7 @@ void check_toml_nesting(std::string_view text, std::string_view file) {
     }
     if (depth > kDeepestNesting) {
       throw FormatError(place_at(text, i, file),
-                        fmt::format("at most {} arrays and tables in each other", kDeepestNesting),
+                        fmt::format("at most {} nested arrays and tables", kDeepestNesting),
                         "more");
     }
     if (parts > kMostKeyParts) {

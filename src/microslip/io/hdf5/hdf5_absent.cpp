@@ -10,8 +10,8 @@
 namespace microslip {
 
 void refuse_hdf5(const std::string& path) {
-  throw FileError(path, "is a file of HDF5, without which this microslip was built",
-                  "Take another format, or build it with -DMICROSLIP_WITH_HDF5=ON.");
+  throw FileError(path, "is an HDF5 file, which this build of microslip does not support",
+                  "Use another format, or build it with -DMICROSLIP_WITH_HDF5=ON.");
 }
 
 Recordings read_recordings_hdf5(const std::string& path, const RecordingReadOptions& /*options*/) {

@@ -35,7 +35,7 @@ std::string text_of(hid_t object, const Names& names, const std::string& place) 
   return {};
 }
 
-/// What the attributes of an object say of the points, else what was known before.
+/// Axis from the attributes of an object, else the one known before.
 Sampling sampling_of(hid_t object, Sampling known, const std::string& place) {
   if (const auto step = number_of(object, kStepNames, place)) {
     known.step = step;
@@ -129,7 +129,7 @@ class ForeignReader {
     }
   }
 
-  /// The dataset of the points, taken off the others.
+  /// The dataset of the points, removed from the others.
   std::optional<PointsAxis> read_axis(std::vector<Dataset>& datasets, const Sampling& sampling) {
     const auto take = [&](const auto& names, const Dimension& usual) -> std::optional<PointsAxis> {
       std::vector<double> points;
@@ -228,8 +228,8 @@ class ForeignReader {
       throw FormatError({.file = path_}, "a dataset of two numbers or more", "none");
     }
     throw FormatError({.file = without_axis_.front()}, "a sampling rate", "none",
-                      "Add the attribute fs [Hz] to the dataset, to a group that it lies in or to "
-                      "the file, or a dataset 'time' [s] beside it.");
+                      "Add the attribute fs [Hz] to the dataset, to a group that contains it or to "
+                      "the file, or a dataset 'time' [s] next to it.");
   }
 
   std::string path_;

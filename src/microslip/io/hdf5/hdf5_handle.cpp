@@ -62,14 +62,14 @@ std::string hdf5_reason() {
 
 void fail_hdf5(std::string_view place, std::string_view expected) {
   throw FormatError({.file = std::string(place)}, expected, hdf5_reason(),
-                    "The file is damaged; save or copy it anew.");
+                    "The file is damaged; save or copy it again.");
 }
 
 Hdf5Handle open_hdf5(const std::string& path) {
   Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file.valid()) {
     throw FormatError({.file = path}, "a whole HDF5 file", hdf5_reason(),
-                      "It is another file, cut short or damaged; save or copy it anew.");
+                      "It is another file, truncated or damaged; save or copy it again.");
   }
   return file;
 }

@@ -15,8 +15,8 @@
 
 namespace microslip {
 
-/// While it lives, nobody else of microslip is inside the HDF5 library, which keeps global state,
-/// and the library prints nothing.
+/// While it lives, no other thread of microslip is inside the HDF5 library, which keeps global
+/// state, and the library prints nothing.
 class Hdf5Session {
  public:
   Hdf5Session();
@@ -30,7 +30,7 @@ class Hdf5Session {
   void* print_to_ = nullptr;
 };
 
-/// What the library says of its last failure, in a few words.
+/// Reason of the library for its last failure, in a few words.
 [[nodiscard]] std::string hdf5_reason();
 
 /// FormatError "place: expected …, found …" with the library's reason.

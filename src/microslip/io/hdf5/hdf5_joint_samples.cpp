@@ -50,9 +50,9 @@ std::vector<double> read_column(hid_t file, const SamplesColumn& column, const s
 
 }  // namespace
 
-RawSamples hdf5_joint_samples(const std::string& path, const Progress& told) {
+RawSamples hdf5_joint_samples(const std::string& path, const Progress& on_progress) {
   const Hdf5Handle file = open_hdf5(path);
-  Hdf5Progress progress(file.id(), told);
+  Hdf5Progress progress(file.id(), on_progress);
   const std::optional<std::string> schema = hdf5_text(file.id(), "schema", path);
   if (schema != kSamplesKind) {
     throw FormatError({.file = path}, fmt::format("the schema {}", kSamplesKind),

@@ -37,7 +37,7 @@ inline constexpr const char* kSamplesMethod = "method";
 inline constexpr const char* kSamplesSeed = "seed";
 inline constexpr const char* kSamplesProvenance = "provenance";
 
-/// What a file holds, its numbers not judged yet.
+/// Contents of a file, its numbers not yet checked.
 struct RawSamples {
   std::string method;
   std::string seed;

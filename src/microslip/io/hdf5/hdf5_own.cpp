@@ -106,9 +106,9 @@ class OwnReader {
 
 }  // namespace
 
-Recordings hdf5_recordings(const std::string& path, const Progress& told) {
+Recordings hdf5_recordings(const std::string& path, const Progress& on_progress) {
   const Hdf5Handle file = open_hdf5(path);
-  Hdf5Progress progress(file.id(), told);
+  Hdf5Progress progress(file.id(), on_progress);
   if (hdf5_text(file.id(), "schema", path) != kRecordingSchema) {
     return read_foreign_hdf5(file.id(), path, progress);
   }

@@ -63,7 +63,7 @@ std::string find_hdf5_reader() {
   const auto found = std::ranges::find_if(
       paths, [](const fs::path& path) { return access(path.c_str(), X_OK) == 0; });
   if (found != paths.end()) return found->string();
-  throw FileError(kProgram, "is not there, which reads files of HDF5",
+  throw FileError(kProgram, "is missing; it reads HDF5 files",
                   fmt::format("It is installed with microslip, in {}; {} can name another place.",
                               MICROSLIP_LIBEXEC_DIR, kVariable));
 }

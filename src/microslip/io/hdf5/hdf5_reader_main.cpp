@@ -23,29 +23,31 @@ constexpr int kWrongCall = 2;
 template <class Read>
 int serve(const std::string& version, const std::string& path, const Read& read) {
   decltype(read(Progress{})) result;
-  const auto read_checked = [&](const Progress& told) {
+  const auto read_checked = [&](const Progress& on_progress) {
     if (version != kVersion) {
       throw FileError(path, "cannot be read: microslip-hdf5-reader is of another version",
-                      "Install microslip and its library anew, together.");
+                      "Reinstall microslip and its library together.");
     }
     const Hdf5Session session;
-    result = read(told);
+    result = read(on_progress);
   };
   return run_reading_worker(path, {read_checked, [&](ParcelWriter& to) { pass(to, result); }});
 }
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.size() == 3 && arguments[1] == "recordings") {
-    return serve(arguments[0], arguments[2],
-                 [&](const Progress& told) { return hdf5_recordings(arguments[2], told); });
+    return serve(arguments[0], arguments[2], [&](const Progress& on_progress) {
+      return hdf5_recordings(arguments[2], on_progress);
+    });
   }
   if (arguments.size() == 3 && arguments[1] == "joint_samples") {
-    return serve(arguments[0], arguments[2],
-                 [&](const Progress& told) { return hdf5_joint_samples(arguments[2], told); });
+    return serve(arguments[0], arguments[2], [&](const Progress& on_progress) {
+      return hdf5_joint_samples(arguments[2], on_progress);
+    });
   }
   if ((arguments.size() == 3 || arguments.size() == 4) && arguments[1] == "matlab") {
-    return serve(arguments[0], arguments[2], [&](const Progress& told) {
-      MatReadOptions options{.progress = told};
+    return serve(arguments[0], arguments[2], [&](const Progress& on_progress) {
+      MatReadOptions options{.progress = on_progress};
       if (arguments.size() == 4) options.only = arguments[3];
       return mat73_tree(arguments[2], options);
     });

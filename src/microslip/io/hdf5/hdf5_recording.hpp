@@ -10,7 +10,7 @@
 /// @file
 /// Recordings in HDF5 files.
 ///
-/// What is written:
+/// Layout that is written:
 ///
 ///     /                schema = "microslip.recording/1"
 ///     /recording_1     source, axis_unit; start, step and, over time, fs = 1/step [Hz], where the
@@ -26,13 +26,13 @@
 /// and what surrounds them is checksummed by the format itself (HDF5 1.10 and later): a changed
 /// byte is found when it is read.
 ///
-/// What is read of others: each group that holds numbers is a recording of the datasets that share
-/// an axis. A dataset is a channel; one of two dimensions is as many as its shorter side has. The
-/// axis is the dataset `time`, `t`, `frequency`, `freq` or `f` beside them (`t` and `f` only where
-/// the values rise: else they are a channel, a force perhaps), or the sampling rate
-/// `fs`, `sampling_rate`, `sample_rate`, `sampling_frequency` [Hz], or the interval `dt`,
-/// `delta_t`, `sampling_interval` [s], with the time `t0` or `start` [s] of the first point: an
-/// attribute of the dataset or of a group that it lies in, or a dataset of one number there.
+/// Layouts of other programs that are read: each group that contains numbers is a recording of the
+/// datasets that share an axis. A dataset is a channel; one of two dimensions is as many as its
+/// shorter side has. The axis is the dataset `time`, `t`, `frequency`, `freq` or `f` beside them
+/// (`t` and `f` only where the values rise: else they are a channel, a force perhaps), or the
+/// sampling rate `fs`, `sampling_rate`, `sample_rate`, `sampling_frequency` [Hz], or the interval
+/// `dt`, `delta_t`, `sampling_interval` [s], with the time `t0` or `start` [s] of the first point:
+/// an attribute of the dataset or of a group that it lies in, or a dataset of one number there.
 /// `channel_name` names a channel (else the name of the dataset does), `unit_str`, `unit` or
 /// `units` its unit. Values come in SI; without unit they are as the file has them. A damaged file
 /// can crash the HDF5 library or keep it busy for ever, whoever wrote it; therefore another program
@@ -43,7 +43,7 @@ namespace microslip {
 /// Reads all recordings of a file.
 /// @throws FileError    where the file cannot be read.
 /// @throws FormatError  where it is no HDF5 file, is damaged or cut short (even with
-///                      allow_truncated: then the format has no way to its data), or holds no
+///                      allow_truncated: then its data cannot be reached), or contains no
 ///                      recording.
 /// @throws InputError   where the sampling rate is missing, or check_recording() finds fault.
 [[nodiscard]] Recordings read_recordings_hdf5(const std::string& path,

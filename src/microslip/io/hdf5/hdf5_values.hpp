@@ -21,7 +21,7 @@ namespace microslip {
 
 enum class Hdf5Content { kReal, kComplex, kReferences, kOther };
 
-/// What a dataset holds. Complex numbers are compounds of two: `{r, i}` or `{real, imag}`.
+/// Values of a dataset. Complex numbers are compounds of two: `{r, i}` or `{real, imag}`.
 [[nodiscard]] Hdf5Content hdf5_content(hid_t dataset);
 
 /// All values of a dataset, row by row, straight into the vector.

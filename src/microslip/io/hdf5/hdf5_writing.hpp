@@ -24,7 +24,7 @@ inline constexpr hsize_t kHdf5Chunk = hsize_t{1} << 17U;
 /// The handle, where it is valid.
 [[nodiscard]] Hdf5Handle require_hdf5(Hdf5Handle handle, const std::string& place);
 
-/// What has been kept back is written upon closing.
+/// Buffered values are written upon closing.
 void close_hdf5(Hdf5Handle& handle, const std::string& place);
 
 /// Attributes. @throws InputError  for a text with a zero byte.
@@ -39,7 +39,7 @@ void write_hdf5_number(hid_t object, const std::string& name, double value,
                                              const std::vector<hsize_t>& sizes,
                                              const std::string& place);
 
-/// The same of real numbers, with its values, row by row.
+/// Creates a dataset of real numbers and writes its values, row by row.
 [[nodiscard]] Hdf5Handle write_hdf5_real(hid_t group, const std::string& name,
                                          std::span<const double> values,
                                          const std::vector<hsize_t>& sizes,

@@ -66,7 +66,7 @@ class Mat73Reader {
     throw FormatError(
         {.file = place},
         fmt::format("at most {} arrays, nested {} deep", kMostMatValues, kDeepestMatValue), "more",
-        "The file is damaged; save or copy it anew.");
+        "The file is damaged; save or copy it again.");
   }
 
   MatValue read_object(const Hdf5Handle& object, const std::string& place, int depth) {
@@ -104,7 +104,7 @@ class Mat73Reader {
     return value;
   }
 
-  /// In MATLAB's order: HDF5 counts the dimensions the other way round.
+  /// In MATLAB's order: HDF5 counts the dimensions in reverse.
   static std::vector<std::size_t> sizes_of(hid_t dataset, const std::string& place) {
     const std::vector<hsize_t> sizes = hdf5_sizes(dataset);
     (void)check_hdf5_storage(dataset, place);
@@ -141,7 +141,7 @@ class Mat73Reader {
     const std::string fault = checked_sparse(value);
     if (fault.empty()) return value;
     throw FormatError({.file = place}, "a sparse matrix", fault,
-                      "The file is damaged; save or copy it anew.");
+                      "The file is damaged; save or copy it again.");
   }
 
   static std::int64_t checked_index(double value, const std::string& place) {
@@ -149,7 +149,7 @@ class Mat73Reader {
       return static_cast<std::int64_t>(value);
     }
     throw FormatError({.file = place}, "indices of a sparse matrix", fmt::format("{}", value),
-                      "The file is damaged; save or copy it anew.");
+                      "The file is damaged; save or copy it again.");
   }
 
   static std::vector<std::int64_t> read_indices(hid_t group, const char* name,

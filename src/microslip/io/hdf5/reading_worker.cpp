@@ -30,7 +30,7 @@ constexpr std::uintmax_t kMemoryOfByte = 16;
 /// Deflate makes no more than 1040 of one byte (RFC 1951); some values are looked at twice.
 constexpr std::uintmax_t kMostOfByte = 2080;
 
-/// What the process may use beyond what its start gave it; null before run_reading_worker().
+/// Limits of the process beyond its initial use; null before run_reading_worker().
 struct Limits {
   rlim_t seconds = 0;
   rlim_t memory = 0;  ///< all that it had at its start, too
@@ -91,7 +91,7 @@ FileDescriptor take_standard_output() {
   return pipe;
 }
 
-/// Ends the process where nobody reads any more.
+/// Ends the process when the reader has closed the pipe.
 void send(int pipe, const char* data, std::size_t size) {
   while (size > 0) {
     const ssize_t count = ::write(pipe, data, size);

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// What a reading program does for the one that started it, see reading_process.hpp.
+/// Worker side of a reading program, see reading_process.hpp.
 struct ReadingWork {
   std::function<void(const Progress& progress)> read;
   std::function<void(ParcelWriter& to)> give;  ///< what has been read

@@ -66,7 +66,8 @@ constexpr std::array kKnownKinds{
     KnownKind{kRigKind, "the description of a frictional-support test (rig.toml)",
               KindFormat::kToml},
     KnownKind{kModelKind, "a structure with joints (model.toml)", KindFormat::kToml},
-    KnownKind{kStructureKind, "a structure to find modes of (structure.toml)", KindFormat::kToml},
+    KnownKind{kStructureKind, "a structure whose modes are sought (structure.toml)",
+              KindFormat::kToml},
     KnownKind{kCampaignKind, "a campaign (campaign.toml)", KindFormat::kToml},
     KnownKind{kEnsemblePlanKind, "the plan of an ensemble (plan.toml)", KindFormat::kToml},
     KnownKind{kSamplesKind, "draws of a joint (joint_samples.h5)", KindFormat::kOther},
@@ -79,7 +80,7 @@ constexpr std::array kKnownKinds{
               KindFormat::kTable},
     KnownKind{kCalibrationKind, "a table of a calibration (calibration.csv)", KindFormat::kTable},
     KnownKind{kIdentifiabilityKind,
-              "a table of densities and what is told of them (identifiability.csv)",
+              "a table of densities and their variance reduction (identifiability.csv)",
               KindFormat::kTable},
     KnownKind{kAssembliesKind, "a table of assemblies (assemblies.csv)", KindFormat::kTable},
     KnownKind{kDensitiesKind, "a table of densities of assemblies (densities.csv)",
@@ -99,7 +100,7 @@ constexpr std::array kKnownKinds{
               KindFormat::kTable},
     KnownKind{kConditionsKind, "a table of conditions of a campaign (conditions.csv)",
               KindFormat::kTable},
-    KnownKind{kLeftOutKind, "a table of what a campaign left out (leave_one_out.csv)",
+    KnownKind{kLeftOutKind, "a table of a leave-one-out campaign (leave_one_out.csv)",
               KindFormat::kTable},
     KnownKind{kHarmonicsKind, "a table of predicted harmonics, of verify", KindFormat::kTable},
     KnownKind{kForceControlKind, "a table of a force control (force_control.csv)",
@@ -198,7 +199,7 @@ bool is_report(std::string_view head) {
 }  // namespace
 
 std::string_view peek_kind_head(InputStream& file) {
-  constexpr std::size_t kMost = std::size_t{1} << 26U;  // what is no text may have no lines
+  constexpr std::size_t kMost = std::size_t{1} << 26U;  // a binary file may have no lines
   for (std::size_t size = kKindHeadSize;; size *= 4) {
     const std::string_view head = file.peek(size);
     const bool whole = head.size() < size || size >= kMost;

@@ -34,7 +34,7 @@ inline constexpr std::string_view kModalLevelsKind = "a table of modal levels";
 inline constexpr std::string_view kCalibrationKind = "a table of a calibration";
 /// identifiability.csv
 inline constexpr std::string_view kIdentifiabilityKind =
-    "a table of densities and what is told of them";
+    "a table of densities and their variance reduction";
 /// assemblies.csv
 inline constexpr std::string_view kAssembliesKind = "a table of assemblies";
 /// densities.csv
@@ -89,12 +89,12 @@ inline constexpr std::size_t kKindHeadSize = 65536;
 /// The same by a path, "-" being standard input. @throws FileError  as read_file().
 [[nodiscard]] std::string read_kind_head(const std::string& path);
 
-/// What a file is, by its first bytes: the schema of a JSON or TOML file, one of the kinds above by
-/// the columns of a table, or its signature. Other tables are told apart by the names of their
+/// Kind of a file, by its first bytes: the schema of a JSON or TOML file, one of the kinds above by
+/// the columns of a table, or its signature. Other tables are distinguished by the names of their
 /// columns. Empty where it is none of these. Two files of one kind may replace each other.
 [[nodiscard]] std::string file_kind(std::string_view head);
 
-/// The same of a file by its path; empty for standard input and pipes, which could be read only
+/// Kind of a file by its path; empty for standard input and pipes, which could be read only
 /// once, and for what cannot be read.
 [[nodiscard]] std::string kind_of_file(const std::string& path);
 
@@ -109,11 +109,11 @@ struct KnownKind {
   bool is_recording = false;  ///< a table that can be read as a recording, too
 };
 
-/// What is known of a kind; null where it is none of this program, or a table that has too few
-/// columns of its own to be told by them.
+/// Description of a kind; null where it is none of this program, or a table with too few columns of
+/// its own to be recognised by them.
 [[nodiscard]] const KnownKind* known_kind(std::string_view kind);
 
-/// The same of a file by its first bytes. @param head  may be the whole file.
+/// Description of the kind of a file by its first bytes. @param head  may be the whole file.
 [[nodiscard]] const KnownKind* known_kind_of(std::string_view head);
 
 }  // namespace microslip

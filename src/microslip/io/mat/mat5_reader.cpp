@@ -375,7 +375,7 @@ class Mat5FileReader {
     if (size > file_.at_most()) file_.fail_ended(fmt::format("{} bytes of a variable", size));
     std::string name;
     MatValue value = type == mat5::kMatrix ? read_plain(size, name) : read_compressed(size, name);
-    if (name.empty()) return;  // what MATLAB keeps for itself on objects
+    if (name.empty()) return;  // internal data of MATLAB on objects
     // No program writes a name twice, and values are taken out of the tree by name.
     if (!names_.insert(name).second) {
       file_.fail("each variable once", fmt::format("{} twice", in_quotes(name)));

@@ -11,8 +11,8 @@
 namespace microslip {
 
 void refuse_matlab(const std::string& path) {
-  throw FileError(path, "is a file of MATLAB, without which this microslip was built",
-                  "Take another format, or build it with -DMICROSLIP_WITH_MAT=ON.");
+  throw FileError(path, "is a MATLAB file, which this build of microslip does not support",
+                  "Use another format, or build it with -DMICROSLIP_WITH_MAT=ON.");
 }
 
 Recordings read_recordings_mat(const std::string& path, std::string_view /*variable*/,

@@ -42,7 +42,7 @@ bool is_numbers(const MatValue& value) {
   return value.kind == Kind::kNumbers && value.sizes.size() == 2 && value.count() > 1;
 }
 
-/// What the numbers of a struct say of its points, else what was known before.
+/// Axis from the numbers of a struct, else the one known before.
 Sampling sampling_of(MatValue& value, std::size_t element, Sampling known,
                      const std::string& place) {
   const auto number = [&](const auto& names) -> const double* {

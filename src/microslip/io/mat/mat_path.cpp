@@ -50,15 +50,15 @@ class Walk {
     MatValue& value = *place_.value;
     if (name.empty()) fail("must be written as in MATLAB: data.channel(2).force");
     if (value.kind != MatValue::Kind::kStruct) {
-      fail(fmt::format("must be there; {} is {}", before, describe(value)));
+      fail(fmt::format("must exist; {} is {}", before, describe(value)));
     }
     if (!place_.element && value.count() != 1) {
-      fail(fmt::format("must say which element of {}: it has {}, ({}) to ({})", before,
+      fail(fmt::format("must specify an element of {}: it has {}, ({}) to ({})", before,
                        value.count(), 1, value.count()));
     }
     MatValue* field = field_of(value, place_.element.value_or(0), name);
     if (field == nullptr) {
-      fail(fmt::format("must be there; {} has {}", before, list_of_names(value.fields)));
+      fail(fmt::format("must exist; {} has {}", before, list_of_names(value.fields)));
     }
     rest_.remove_prefix(name.size());
     before_ = here();
@@ -78,7 +78,7 @@ class Walk {
     const std::size_t count = place_.value->count();
     if (index < first || index - first >= count || place_.element) {
       fail(place_.element ? std::string("must have one index at a time")
-                          : fmt::format("must have an index that is there; {} is {}", before_,
+                          : fmt::format("must have an existing index; {} is {}", before_,
                                         describe(*place_.value)));
     }
     choose(index - first);
@@ -92,7 +92,7 @@ class Walk {
     } else if (place_.value->kind == MatValue::Kind::kStruct) {
       place_.element = element;
     } else {
-      fail(fmt::format("must have an index behind structs and cells only; {} is {}", before_,
+      fail(fmt::format("must have an index after structs and cells only; {} is {}", before_,
                        describe(*place_.value)));
     }
   }

@@ -136,7 +136,7 @@ Recordings read_recordings_mat(const std::string& path, std::string_view variabl
   Recordings result = recordings_of(tree.root, variable, path);
   if (tree.truncated) {
     result.warnings.push_back(
-        {"file_truncated", path + ": ends within a variable, which is left out; copy it anew"});
+        {"file_truncated", path + ": ends within a variable, which is left out; copy it again"});
   }
   return result;
 }

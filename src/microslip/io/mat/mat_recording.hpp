@@ -11,7 +11,8 @@
 /// @file
 /// Recordings in MAT files of MATLAB.
 ///
-/// What is written: a struct for each recording, recording_1, recording_2, …, with the fields
+/// Layout that is written: a struct for each recording, recording_1, recording_2, …, with the
+/// fields
 ///
 ///     schema      'microslip.recording/1'
 ///     source      text
@@ -27,8 +28,8 @@
 /// all in SI; version 5 without compression, which MATLAB, SciPy and Octave read. It holds
 /// recordings below 2 GiB.
 ///
-/// What is read of others (version 5 and 7.3): a struct, or the variables at the top,
-/// with vectors and
+/// Layouts of other programs that are read (version 5 and 7.3): a struct, or the variables at the
+/// top, with vectors and
 ///   the points `time` or `t` [s], `frequency`, `freq` or `f` [Hz] (`t` and `f` only where the
 ///   values rise: else they are a channel, a force perhaps),
 ///   or the sampling rate `fs`, `Fs`, `sampling_rate` [Hz] or interval `dt` [s], and `t0` or
@@ -40,7 +41,7 @@
 /// semicolons, of one for each array of its struct, one for each channel (behind that of the axis
 /// or without it), one for the axis and one for all channels, or one for each quantity that the
 /// names tell; or a struct of one for each array. NAME_unit is that of the array NAME. A list that
-/// fits in none of these ways is told in a warning. Without unit, values are as the file has them.
+/// fits none of these gives a warning. Without unit, values are as the file has them.
 /// Version 7.3 is read in a process of its own, see hdf5_recording.hpp.
 
 namespace microslip {

@@ -25,11 +25,12 @@ std::string MatStream::label() const { return fmt::format("{}, byte {}", name_, 
 
 void MatStream::fail(std::string_view expected, std::string_view found) const {
   throw FormatError({.file = label()}, expected, found,
-                    "The file is damaged; save or copy it anew.");
+                    "The file is damaged; save or copy it again.");
 }
 
 void MatStream::fail_ended(std::string_view expected) const {
-  throw Ended({.file = label()}, expected, "the end of the file", "It is cut short; copy it anew.");
+  throw Ended({.file = label()}, expected, "the end of the file",
+              "It is truncated; copy it again.");
 }
 
 void MatStream::read(char* to, std::size_t size) {

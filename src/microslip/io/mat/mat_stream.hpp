@@ -70,7 +70,7 @@ class MatFileStream : public MatStream {
   std::size_t next_report_ = 0;
 };
 
-/// What an element of a file holds once inflated (RFC 1950).
+/// Contents of an element of a file, inflated (RFC 1950).
 class MatInflateStream : public MatStream {
  public:
   /// @param compressed  bytes that the element has in the file.

@@ -48,8 +48,8 @@ bool fits(const UnitOfArray& array, const std::string& unit) {
   return !is_of_axis(unit);
 }
 
-/// Hands out the units of a list, see the rule in the header. Each way is taken whole, where every
-/// unit of it fits, or not at all.
+/// Hands out the units of a list, see the rule in the header. Each rule is applied as a whole,
+/// where every unit of it fits, or not at all.
 class UnitList {
  public:
   UnitList(const Texts& list, std::vector<UnitOfArray>& arrays) : list_(list), arrays_(arrays) {
@@ -69,7 +69,7 @@ class UnitList {
   }
 
  private:
-  /// What an array would get.
+  /// Unit that an array would get.
   struct Gift {
     UnitOfArray* array;
     Texts units;  ///< one for all of its channels, or one for each
@@ -187,7 +187,7 @@ void assign_units(MatValue& value, std::size_t element, const MatValue* list,
   warnings.push_back(
       {"units_not_assigned",
        fmt::format("{}: units {} are not used: they are {} for {}; give one for each of these in "
-                   "their order, one for the time and one for all others, or `assume_units`",
+                   "order, one for the time and one for all others, or `assume_units`",
                    place, in_quotes(joined(texts), 120), texts.size(), list_of_names(names))});
 }
 

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// What the rule for units needs to know of an array of a struct.
+/// Properties of an array of a struct that the rule for units needs.
 struct UnitOfArray {
   std::string name;
   std::size_t channels = 1;                   ///< 0: it is the axis
@@ -29,9 +29,9 @@ struct UnitOfArray {
 ///     else, where each channel's name tells its quantity (quantity_of_name()) and the list has one
 ///     unit of it: that one;
 ///   `units` with a single unit, for all channels.
-/// Each way is taken whole or not at all: where the axis got a unit of something else, a channel
-/// that of a time or frequency, or one whose name is a word for another quantity that unit, the
-/// next is tried. An array that has a unit keeps it. A list that fits in none of these ways is told
+/// Each rule is applied as a whole or not at all: where the axis got a unit of something else, a
+/// channel that of a time or frequency, or one whose name is a word for another quantity that unit,
+/// the next is tried. An array that has a unit keeps it. A list that fits none of these is reported
 /// in a warning.
 /// @param list  the value of `units`; null where there is none.
 void assign_units(MatValue& value, std::size_t element, const MatValue* list,

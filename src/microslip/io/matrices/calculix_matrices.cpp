@@ -75,7 +75,7 @@ std::vector<DegreeOfFreedom> parse_degrees(std::string_view text, std::string_vi
     degrees.push_back(*degree);
   }
   if (!degrees.empty()) return degrees;
-  throw FormatError({std::string(file), 0, 0}, "a line a row of the matrices", "none");
+  throw FormatError({std::string(file), 0, 0}, "one line per row of the matrices", "none");
 }
 
 std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {

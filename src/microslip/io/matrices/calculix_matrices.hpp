@@ -10,7 +10,7 @@
 /// @file
 /// Matrices as CalculiX stores them by `*FREQUENCY, SOLVER=MATRIXSTORAGE`: JOB.sti and JOB.mas have
 /// one triangle, a line `row column value` an entry; JOB.dof has a line `node.direction` a row.
-/// Degrees of freedom that are held, or depend on others, are not among them.
+/// Degrees of freedom that are fixed, or depend on others, are not among them.
 
 namespace microslip {
 
@@ -22,8 +22,8 @@ namespace microslip {
 [[nodiscard]] SymmetricEntries parse_triangle(std::string_view text, std::string_view file,
                                               std::size_t size);
 
-/// Whose rows are: a line a row, `12.3` or `12 3` or `12, z`, the directions 1 to 6 or x, y, z, rx,
-/// ry, rz; lines that begin with # are comments.
+/// Degrees of freedom of the rows: one line per row, `12.3` or `12 3` or `12, z`, the directions 1
+/// to 6 or x, y, z, rx, ry, rz; lines that begin with # are comments.
 /// @throws FormatError  with line and column.
 [[nodiscard]] std::vector<DegreeOfFreedom> parse_degrees(std::string_view text,
                                                          std::string_view file);

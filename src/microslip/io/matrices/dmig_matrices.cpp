@@ -82,8 +82,8 @@ class DmigFile {
       if (data.name() == "DMIG") take(data);
     }
     if (data.name() == "DMIG" && !source.text.ends_with('\n')) {
-      throw FormatError(data.place({}), "an end of line behind the last entry",
-                        "the end of the file: is it cut?");
+      throw FormatError(data.place({}), "an end of line after the last entry",
+                        "the end of the file: is it truncated?");
     }
   }
 
@@ -121,8 +121,8 @@ class DmigFile {
         throw FormatError(data.place(data.field(3)), "real numbers, of type 1 or 2",
                           in_quotes(data.field(3).text));
       }
-      const bool told = !data.field(kColumnsField).text.empty();
-      if (told) {
+      const bool given = !data.field(kColumnsField).text.empty();
+      if (given) {
         matrix.columns =
             static_cast<std::size_t>(data.integer(kColumnsField, "the number of columns"));
       }
@@ -149,9 +149,10 @@ class DmigFile {
     std::set<DegreeOfFreedom> columns;
     for (const DmigEntry& entry : matrix.entries) columns.insert(entry.column);
     if (matrix.columns == 0 || columns.size() == matrix.columns) return;
-    throw InputError(
-        fmt::format("{}: {}", source_.file, matrix.name), fmt::format("{} columns", columns.size()),
-        fmt::format("must have {}, as its header says", matrix.columns), "Is the file cut?");
+    throw InputError(fmt::format("{}: {}", source_.file, matrix.name),
+                     fmt::format("{} columns", columns.size()),
+                     fmt::format("must have {}, as its header states", matrix.columns),
+                     "Is the file truncated?");
   }
 
   /// Of those that no name was given for the square ones alone.
@@ -178,7 +179,7 @@ class DmigFile {
                      source_.name.empty() ? fmt::format("{} matrices {}…", found, source_.initial)
                                           : fmt::format("no matrix {}", source_.name),
                      source_.name.empty()
-                         ? "must have one whose name begins so, or be named behind a colon"
+                         ? "must have one whose name begins so, or be named after a colon"
                          : "must be one of the file",
                      fmt::format("It has {}.", there.empty() ? "no entries DMIG" : there));
   }
@@ -257,7 +258,7 @@ bool is_dmig(std::string_view head) {
     while (data.next()) {
       if (data.name() == "DMIG") return true;
     }
-  } catch (const FormatError&) {  // of a tab, which is told when all is read
+  } catch (const FormatError&) {  // of a tab, which is reported when all is read
     return data.name() == "DMIG";
   }
   return false;

@@ -41,7 +41,7 @@ std::string only_matrix(const MatValue& root, const std::string& path) {
   if (names.size() == 1) return names.front();
   throw InputError(path, fmt::format("{} matrices", names.size()),
                    fmt::format("must be one; there is {}", list_of_names(names)),
-                   fmt::format("Name one behind a colon, {}:{}.", file_name(path),
+                   fmt::format("Name one after a colon, {}:{}.", file_name(path),
                                names.empty() ? "K" : names.front()));
 }
 

@@ -89,7 +89,7 @@ std::size_t read_size(NumberLines& lines, std::string_view file) {
   const std::size_t columns = read_count(lines, "the number of columns");
   if (columns == rows) return rows;
   throw InputError(fmt::format("{}: columns", file), static_cast<double>(columns),
-                   fmt::format("must be {}, as there are rows", rows));
+                   fmt::format("must be {}, the number of rows", rows));
 }
 
 /// A file cannot have more entries than fit into it: memory for them is not asked for.
@@ -99,7 +99,7 @@ void require_room(const NumberLines& lines, std::size_t count, std::size_t short
   if (count <= room) return;
   throw FormatError(lines.place(), "a number of entries that the file has room for",
                     fmt::format("{}, where {} fit at most", count, room),
-                    "The file is cut, or its header wrong.");
+                    "The file is truncated, or its header is wrong.");
 }
 
 MatrixEntries read_coordinates(NumberLines& lines, std::size_t size) {
@@ -158,10 +158,10 @@ SymmetricEntries parse_matrix_market(std::string_view text, std::string_view fil
   const std::size_t size = read_size(lines, file);
   MatrixEntries entries =
       header.array ? read_array(lines, size, header.symmetric) : read_coordinates(lines, size);
-  return header.symmetric ? symmetric_of_triangle(std::move(entries), file)
-                          : symmetric_of_both(entries, file,
-                                              "Where one triangle alone is stored, the file must "
-                                              "say so.");
+  return header.symmetric
+             ? symmetric_of_triangle(std::move(entries), file)
+             : symmetric_of_both(entries, file,
+                                 "If only one triangle is stored, the file must state so.");
 }
 
 SymmetricEntries read_matrix_market(const std::string& path) {

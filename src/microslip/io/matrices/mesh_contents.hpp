@@ -8,7 +8,7 @@
 #include "microslip/structure/meshed_structure.hpp"
 
 /// @file
-/// What a file tells of a mesh: nodes, and named sets of them.
+/// Contents of a mesh file: nodes, and named sets of them.
 
 namespace microslip {
 
@@ -18,7 +18,7 @@ struct NodeSet {
   std::vector<std::int64_t> nodes;  ///< rising, each once
 };
 
-/// What a file tells of a mesh.
+/// Nodes and sets of a mesh file.
 struct MeshFile {
   std::vector<MeshNode> nodes;  ///< in the order of the file
   std::vector<NodeSet> sets;    ///< in the order of the file

@@ -95,7 +95,7 @@ SymmetricEntries symmetric_of_triangle(MatrixEntries entries, std::string_view f
       throw InputError(entry_name(file, entries.row[i], entries.column[i]), entries.value[i],
                        fmt::format("must lie in the {} triangle, as those before it",
                                    is_upper ? "lower" : "upper"),
-                       "Of a symmetric matrix one triangle is stored.");
+                       "Only one triangle of a symmetric matrix is stored.");
     }
     if (is_upper) std::swap(entries.row[i], entries.column[i]);
   }

@@ -22,7 +22,7 @@ SymmetricEntries read_matrix_file(const std::string& path) {
   const std::string_view kind = signature(read_file_head(part.file, kSignatureSize));
   if (kind == "a MATLAB file" || kind == "an HDF5 file") {
     return symmetric_of_both(read_mat_entries(part.file, part.variable), path,
-                             "Where one triangle alone is stored, store both.");
+                             "If only one triangle is stored, store both.");
   }
   if (part.variable.empty()) return read_matrix_market(path);
   throw InputError(part.file, in_quotes(":" + part.variable),

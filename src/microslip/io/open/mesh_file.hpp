@@ -10,9 +10,10 @@
 
 namespace microslip {
 
-/// Told by their content: an input of CalculiX or Abaqus (`*NODE`, `*NSET`, with GENERATE and sets
-/// of sets, `*INCLUDE`; other keywords are passed over), a universal file (datasets 15 and 2411,
-/// with the units of dataset 164), or a table with the columns `node [1], x [m], y [m], z [m]`.
+/// Recognised by their content: an input of CalculiX or Abaqus (`*NODE`, `*NSET`, with GENERATE and
+/// sets of sets, `*INCLUDE`; other keywords are passed over), a universal file (datasets 15 and
+/// 2411, with the units of dataset 164), or a table with the columns `node [1], x [m], y [m], z
+/// [m]`.
 /// @param path         of the file; the files it includes are beside it.
 /// @param length_unit  of one of the file, m, where it has no units.
 /// @throws FileError, FormatError  with line and column; where it has no node and no set.

@@ -77,7 +77,7 @@ RecordingFormat format_of(std::string_view head, const std::string& name) {
 
 void require_rewind(InputStream& file) {
   if (file.rewind()) return;
-  throw FileError(file.name(), "is a pipe, which takes recordings in CSV alone",
+  throw FileError(file.name(), "is a pipe, which supports recordings in CSV only",
                   "Save them in a file and name that.");
 }
 
@@ -111,7 +111,7 @@ Recordings read_format(InputStream& file, const PartOfFile& part,
   if (format == RecordingFormat::kUff || format == RecordingFormat::kUffBinary) {
     require_rewind(file);  // "-" is read on from where it stands
   } else if (part.file == "-") {
-    throw FileError(file.name(), "takes recordings in CSV or a universal file alone",
+    throw FileError(file.name(), "supports only recordings in CSV or a universal file",
                     "Save them in a file and name that.");
   }
   return read_by_path(part, format, options);
@@ -129,7 +129,7 @@ void write_csv(OutputFiles& files, const std::string& path, std::span<const Reco
   if (recordings.size() != 1) {
     throw InputError(path, fmt::format("{} recordings", recordings.size()),
                      "must be one in a CSV file",
-                     "Choose one of them, or a format that holds several: uff, mat or h5.");
+                     "Choose one of them, or a format for several: uff, mat or h5.");
   }
   if (path == "-") {
     files.add(path, format_recording_csv(recordings.front()));

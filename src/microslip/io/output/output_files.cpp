@@ -58,7 +58,7 @@ std::string behind_links(const std::string& path) {
   if (::lstat(path.c_str(), &status) != 0 || !S_ISLNK(status.st_mode)) return path;
   std::error_code error;
   const fs::path target = fs::canonical(path, error);
-  if (error) throw FileError(path, "is a link to nothing", "Remove it or choose another name.");
+  if (error) throw FileError(path, "is a broken link", "Remove it or choose another name.");
   return target.string();
 }
 
@@ -72,11 +72,11 @@ void check_folder(const std::string& path, const std::string& target) {
   struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) {
     if (errno != ENOENT) fail_to_write(path, errno);
-    throw FileError(path, fmt::format("cannot be written: there is no folder '{}'", folder),
+    throw FileError(path, fmt::format("cannot be written: there is not a folder '{}'", folder),
                     "Create it first.");
   }
   if (!S_ISDIR(status.st_mode)) {
-    throw FileError(path, fmt::format("cannot be written: '{}' is no folder", folder),
+    throw FileError(path, fmt::format("cannot be written: '{}' is not a folder", folder),
                     "Choose another name.");
   }
   if (::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
@@ -95,17 +95,17 @@ void check_replaceable(const std::string& path, const OutputTarget& target) {
     throw FileError(path, "is a folder and cannot be replaced", "Name a file in it.");
   }
   if (!S_ISREG(target.replaced->st_mode)) {
-    throw FileError(path, "is no regular file and cannot be replaced",
+    throw FileError(path, "is not a regular file and cannot be replaced",
                     "Write to - and redirect standard output.");
   }
   if (::faccessat(AT_FDCWD, target.file.c_str(), W_OK, AT_EACCESS) != 0) {
-    throw FileError(path, "is closed to writing", "Choose another name or change its permissions.");
+    throw FileError(path, "is not writable", "Choose another name or change its permissions.");
   }
 }
 
 OutputTarget checked_target(const std::string& path) {
   if (path.empty() || path.find('\0') != std::string::npos) {
-    throw FileError(path.empty() ? "''" : path.c_str(), "is no name of a file");
+    throw FileError(path.empty() ? "''" : path.c_str(), "is not a file name");
   }
   OutputTarget target{.file = behind_links(path), .replaced = {}};
   check_folder(path, target.file);
@@ -125,7 +125,7 @@ void check_kind(const std::string& path, const std::string& target, std::string_
   const std::string old_kind = file_kind(old_head);
   if (!kind.empty() && old_kind == kind) return;
   throw FileError(path,
-                  fmt::format("exists and holds {}; it would be replaced by {}",
+                  fmt::format("exists and contains {}; it would be replaced by {}",
                               old_kind.empty() ? "something else" : old_kind,
                               kind.empty() ? "something else" : kind),
                   "Remove it or choose another name.");

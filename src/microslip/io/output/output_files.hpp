@@ -28,7 +28,7 @@ struct PlannedOutput {
   std::string_view kind = {};  ///< as of check_output()
 };
 
-/// The same of all files that OutputFiles is to write.
+/// Checks all files that OutputFiles is to write, as above.
 /// @throws FileError  as check_output(), and where two of them have one path or are standard
 ///                    output.
 void check_outputs(std::span<const PlannedOutput> outputs);

@@ -9,7 +9,7 @@
 #include "microslip/io/cells/csv_writer.hpp"
 
 /// @file
-/// What files that are written say of their origin, and what their readers must know.
+/// Provenance and warnings in files that are written.
 
 namespace microslip {
 
@@ -26,8 +26,8 @@ struct NamedInput {
 [[nodiscard]] std::string provenance_of(std::string_view command,
                                         const std::vector<NamedInput>& inputs);
 
-/// Lines of a comment, "warning: CODE: TEXT" each: what was told, or with --quiet was not, is in
-/// the file too. Empty without warnings.
+/// Lines of a comment, "warning: CODE: TEXT" each: warnings printed, or with --quiet not printed,
+/// are in the file too. Empty without warnings.
 [[nodiscard]] std::string warning_lines(const std::vector<Warning>& warnings);
 
 /// The same behind the lines of another comment.

@@ -36,11 +36,11 @@ std::string_view remedy_for_system(int error) {
   switch (error) {
     case ENOSPC:
     case EDQUOT:
-      return "Make room, or choose another folder.";
+      return "Free some space, or choose another folder.";
     case EFBIG:
       return "Raise the limit of the size of files (ulimit -f), or choose another folder.";
     case EIO:
-      return "Look after the disk, or choose another folder.";
+      return "Check the disk, or choose another folder.";
     default:
       return {};
   }

@@ -35,7 +35,7 @@ std::pair<std::string, Unit> parse_argument(const std::string& argument) {
   const std::optional<Unit> unit = find_unit(text);
   if (!unit) {
     throw InputError(kOption, in_quotes(argument),
-                     fmt::format("{} must be a unit that is known here", in_quotes(text)),
+                     fmt::format("{} must be a known unit", in_quotes(text)),
                      "For instance N, m/s^2, g, um, or 1 for a number.");
   }
   return {name, *unit};

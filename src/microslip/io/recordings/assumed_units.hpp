@@ -23,7 +23,7 @@ struct AssumedUnits {
   /// By name of the channel; these go before `si`.
   std::vector<std::pair<std::string, Unit>> named;
 
-  /// What is assumed of a name without unit; nothing where that is nothing.
+  /// Unit assumed for a name without unit; nothing where none is.
   [[nodiscard]] std::optional<Unit> find(std::string_view name) const;
   /// Whether `named` has it.
   [[nodiscard]] bool names(std::string_view name) const;

@@ -38,12 +38,12 @@ Warning doubtful_gravity(std::string_view place, std::string_view name,
                          std::span<const double> values) {
   double largest = 0.0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
-  return {"unit_doubtful",
-          fmt::format("{}: channel {} is labelled g, but beside it stands the factor 0.10197 = "
-                      "1/9.80665: its values may be in m/s^2 already. The largest is {:.4g} m/s^2 "
-                      "if so, {:.4g} m/s^2 if it is in g; it is taken as without unit. Say which "
-                      "holds with `assume_units {}=m/s^2` or {}=g",
-                      place, in_quotes(name), largest, largest * kStandardGravity, name, name)};
+  return {
+      "unit_doubtful",
+      fmt::format("{}: channel {} is labelled g, but has the factor 0.10197 = 1/9.80665: its "
+                  "values may already be in m/s^2. The largest is {:.4g} m/s^2 if so, {:.4g} m/s^2 "
+                  "if in g; it is treated as without unit. Specify `assume_units {}=m/s^2` or {}=g",
+                  place, in_quotes(name), largest, largest * kStandardGravity, name, name)};
 }
 
 }  // namespace microslip

@@ -25,8 +25,8 @@ namespace microslip {
 /// Whether the value of one of them does.
 [[nodiscard]] bool says_per_gravity(const Attributes& attributes);
 
-/// Of such a channel, which is taken as without unit: what its largest value is either way, and how
-/// to say which holds.
+/// Warning on such a channel, which is treated as without unit: its largest value in either unit,
+/// and how to say which holds.
 /// @param place   of the channel, for the message.
 /// @param name    of the channel.
 /// @param values  as the file has them.

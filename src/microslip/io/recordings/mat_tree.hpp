@@ -11,7 +11,7 @@
 #include "microslip/base/progress.hpp"
 
 /// @file
-/// What a MAT file holds, whatever its version.
+/// Contents of a MAT file of any version.
 
 namespace microslip {
 
@@ -43,7 +43,7 @@ struct MatValue {
 [[nodiscard]] std::string describe(const MatValue& value);
 
 /// Of the matrix of kSparse: what does not fit, such as "a row 7 of 4"; empty where all does.
-/// Numbers beyond the last column are room that the writer had left, and are taken off.
+/// Numbers beyond the last column are unused space of the writer, and are removed.
 [[nodiscard]] std::string checked_sparse(MatValue& value);
 
 /// "'a', 'b'", cut after a dozen.

@@ -129,22 +129,22 @@ class CsvRecordingReader {
     return read_last_row(p);
   }
 
-  /// The last line has no line break. Whether its last number is whole nobody can tell.
+  /// The last line has no line break. Whether its last number is complete is unknown.
   const char* read_last_row(const char* p) {
     const std::string line = std::to_string(scanner_->place(p).line);
     if (options_.allow_truncated && rows_ > 0) {
-      warnings_.push_back({"last_row_dropped",
-                           file_.name() + ":" + line +
-                               ": the last row has no line break and was left out; the file may "
-                               "have been cut within it."});
+      warnings_.push_back(
+          {"last_row_dropped", file_.name() + ":" + line +
+                                   ": the last row has no line break and was left out; the file "
+                                   "may have been truncated within it."});
       return end_;
     }
     row_is_cut_ = true;
     const char* next = read_row(p);
     warnings_.push_back(
         {"last_row_open", file_.name() + ":" + line +
-                              ": the last row has no line break; if the file was cut there, its "
-                              "last number is wrong. `allow_truncated` leaves the row out."});
+                              ": the last row has no line break; if the file was truncated there, "
+                              "its last number is wrong. `allow_truncated` leaves the row out."});
     return next;
   }
 
@@ -248,7 +248,7 @@ class CsvRecordingReader {
       throw FormatError(scanner_->place(row),
                         fmt::format("{} cells as in the header", values_.size()),
                         fmt::format("{} and the end of the file", cells),
-                        "It was cut; `allow_truncated` leaves out this row.");
+                        "It was truncated; `allow_truncated` leaves out this row.");
     }
     throw ragged_row(scanner_->place(row), values_.size(), cells, header_.separator());
   }
@@ -262,7 +262,7 @@ class CsvRecordingReader {
     } else if (decimal_ == Decimal::kPoint && parse_comma_number(text)) {
       remedy = "This table has decimal points elsewhere: write all numbers one way.";
     } else if (row_is_cut_) {
-      remedy = "If the file was cut there, `allow_truncated` leaves out this row.";
+      remedy = "If the file was truncated there, `allow_truncated` leaves out this row.";
     }
     throw FormatError(scanner_->place(cell.begin),
                       fmt::format("a finite number in {}", header_.label(column)),
@@ -318,10 +318,9 @@ class CsvRecordingReader {
     const double rate = *header_.sampling_rate();
     if (std::abs(rate * axis.step - 1.0) <= kSame) return;
     warnings_.push_back(
-        {"sampling_rates_differ",
-         fmt::format("{}: a comment gives the sampling rate as {:.6g} Hz, the times as {:.6g} Hz; "
-                     "the times hold.",
-                     file_.name(), rate, 1.0 / axis.step)});
+        {"sampling_rates_differ", fmt::format("{}: a comment gives the sampling rate as {:.6g} Hz, "
+                                              "the times as {:.6g} Hz; the times are used.",
+                                              file_.name(), rate, 1.0 / axis.step)});
   }
 
   /// A channel of its own, or the imaginary part of the one before it.
@@ -363,9 +362,9 @@ class CsvRecordingReader {
 
   void distribute_attributes(Recording& recording) const {
     for (const auto& [name, value] : header_.attributes()) {
-      const auto [channel, told] = channel_of(recording, name);
+      const auto [channel, prefix] = channel_of(recording, name);
       Attributes& target = channel != nullptr ? channel->attributes : recording.attributes;
-      target.emplace_back(name.substr(told), value);
+      target.emplace_back(name.substr(prefix), value);
     }
   }
 

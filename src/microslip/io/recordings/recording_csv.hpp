@@ -7,7 +7,7 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// A recording as comma-separated text: a column of times and one a channel.
+/// A recording as comma-separated text: a column of times and one per channel.
 ///
 /// Form: UTF-8 with or without byte order mark, or CP1252; lines end in LF or CRLF. Lines that
 /// begin with `#`, `%` or `//` are comments and may stand anywhere, blank lines too. The first
@@ -47,7 +47,7 @@ class InputStream;
 [[nodiscard]] Recordings read_recordings_csv(const std::string& path,
                                              const RecordingReadOptions& options);
 
-/// The same of a file that is open already.
+/// Reads a file that is already open, as above.
 [[nodiscard]] Recordings read_recordings_csv(InputStream& file,
                                              const RecordingReadOptions& options);
 

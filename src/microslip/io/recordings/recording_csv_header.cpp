@@ -209,7 +209,7 @@ void RecordingCsvHeader::resolve(const AssumedUnits& assumed) {
   if (axis_) resolve_axis(assumed);
   if (!axis_ && !rate_) throw_no_axis();
   if (axis_ && columns_.size() < 2) {
-    throw FormatError(cells_.front().place, "a column beside that of the axis",
+    throw FormatError(cells_.front().place, "a column in addition to the axis",
                       fmt::format("{} alone", label(0)));
   }
 }
@@ -219,7 +219,7 @@ void RecordingCsvHeader::resolve_axis(const AssumedUnits& assumed) {
   if (column.dimension) {
     if (!assumed.names(column.name)) return;
     throw InputError(fmt::format("{}: {}", file_, label(*axis_)), dimension_name(*column.dimension),
-                     "must have no unit where one is assumed", "The unit of the file holds.");
+                     "must have no unit if one is assumed", "The unit in the file is used.");
   }
   const Dimension dimension = axis_dimension(column.name).value_or(kTime);
   const std::optional<Unit> unit = assumed.find(column.name);
@@ -228,7 +228,7 @@ void RecordingCsvHeader::resolve_axis(const AssumedUnits& assumed) {
         cells_[*axis_].place,
         fmt::format("a unit of {} for column {}", dimension_name(dimension), *axis_ + 1),
         fmt::format("{} without one", in_quotes(column.name)),
-        fmt::format("Write '{} [{}]', or say it with `assume_units {}={}`.", column.name,
+        fmt::format("Write '{} [{}]', or give `assume_units {}={}`.", column.name,
                     si_unit(dimension), column.name, si_unit(dimension)));
   }
   if (unit->dimension != dimension) {

@@ -27,7 +27,7 @@ struct RecordingColumn {
   std::optional<Dimension> dimension;  ///< nothing where it has none
 };
 
-/// What stands above the rows of a recording: comments, names, units.
+/// Lines above the rows of a recording: comments, names, units.
 class RecordingCsvHeader {
  public:
   explicit RecordingCsvHeader(std::string_view file) : file_(file) {}

@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// What a file of recordings holds: channels that share an axis are one recording.
+/// Contents of a file of recordings: channels that share an axis are one recording.
 struct Recordings {
   std::vector<Recording> recordings;  ///< in the order of the file
   std::vector<Warning> warnings;      ///< what the reader had to forgive
@@ -20,8 +20,8 @@ struct Recordings {
 
 /// How files of recordings are read.
 struct RecordingReadOptions {
-  /// Take what a file has where it ends before all it announces, with a warning. Otherwise that is
-  /// an error.
+  /// Read what a file has where it ends before all that it announces, with a warning. Otherwise
+  /// that is an error.
   bool allow_truncated = false;
   /// Bytes done of all bytes.
   Progress progress = {};

@@ -86,9 +86,9 @@ void apply_unit(Channel& channel, std::string_view unit, const std::string& sour
   if (!found) {
     channel.attributes.emplace_back("unit", unit);
     warnings.push_back(
-        {"unit_unknown", fmt::format("{}: channel {} is in {}, a unit not known; it "
-                                     "is taken as without unit",
-                                     source, in_quotes(channel.name), in_quotes(unit))});
+        {"unit_unknown",
+         fmt::format("{}: channel {} is in {}, an unknown unit; it is treated as without unit",
+                     source, in_quotes(channel.name), in_quotes(unit))});
     return;
   }
   if (is_gravity(*found) && says_per_gravity(channel.attributes)) {
@@ -149,9 +149,8 @@ void check_read(const Recording& recording, const std::string& place) {
 
 void warn_without_rate(std::span<const std::string> places, std::vector<Warning>& warnings) {
   for (const std::string& place : places) {
-    warnings.push_back(
-        {"sampling_rate_missing",
-         fmt::format("{}: left out, no sampling rate or time belongs to it", place)});
+    warnings.push_back({"sampling_rate_missing",
+                        fmt::format("{}: left out, it has no sampling rate or time", place)});
   }
 }
 

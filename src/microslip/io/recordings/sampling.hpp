@@ -35,7 +35,7 @@ template <class Names>
 /// as well: it does unless the values rise.
 [[nodiscard]] bool may_be_points(std::string_view name, std::span<const double> values);
 
-/// What is known of the points before the values are read.
+/// Axis as known before the values are read.
 struct Sampling {
   std::optional<double> step;  ///< s
   double start = 0.0;          ///< s
@@ -60,7 +60,7 @@ struct PointsAxis {
                                         std::optional<double> stated_step);
 
 /// Brings values to SI by the unit that the file names. An unknown one is kept as the attribute
-/// `unit` and told in a warning, as is a doubtful g (doubtful_unit.hpp); an empty one is none.
+/// `unit` and gives a warning, as does a doubtful g (doubtful_unit.hpp); an empty one is none.
 void apply_unit(Channel& channel, std::string_view unit, const std::string& source,
                 std::vector<Warning>& warnings);
 

@@ -13,10 +13,10 @@ namespace microslip {
 struct FrequencyResponse {
   std::string name;          ///< as messages call it: "dataset 3 (node 5 x by a force at node 1 x)"
   DegreeOfFreedom response;  ///< along the positive direction, whatever the file has
-  DegreeOfFreedom reference;                      ///< of the force, or of the moment, likewise
+  DegreeOfFreedom reference;                      ///< of the force, or of the moment
   int derivatives = 0;                            ///< 0 receptance, 1 mobility, 2 accelerance
   std::vector<double> frequency = {};             ///< Hz, above 0, rising
-  std::vector<std::complex<double>> values = {};  ///< SI; one a frequency
+  std::vector<std::complex<double>> values = {};  ///< SI; one per frequency
 };
 
 }  // namespace microslip

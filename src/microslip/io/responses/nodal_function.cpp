@@ -53,7 +53,7 @@ void check_content(const FrequencyResponse& response) {
   const std::vector<double>& frequency = response.frequency;
   if (frequency.size() < 2) {
     throw InputError(response.name, fmt::format("{} lines above 0 Hz", frequency.size()),
-                     "must have two at least");
+                     "must have at least two");
   }
   for (std::size_t i = 0; i < frequency.size(); ++i) {
     if (!std::isfinite(response.values[i].real()) || !std::isfinite(response.values[i].imag())) {
@@ -62,7 +62,7 @@ void check_content(const FrequencyResponse& response) {
     }
     if (i > 0 && !(frequency[i] > frequency[i - 1])) {
       throw InputError(response.name,
-                       fmt::format("{:.6g} Hz behind {:.6g} Hz", frequency[i], frequency[i - 1]),
+                       fmt::format("{:.6g} Hz after {:.6g} Hz", frequency[i], frequency[i - 1]),
                        "must rise in frequency");
     }
   }

@@ -17,7 +17,7 @@
 
 namespace microslip {
 
-/// What a file tells of it; what it refers to must outlive it.
+/// Contents of a file on it; what it refers to must outlive it.
 struct NodalFunction {
   std::string name;    ///< "dataset 3", for messages
   UffPoint response;   ///< where the motion is, and its direction
@@ -28,7 +28,7 @@ struct NodalFunction {
   std::span<const double> imaginary;   ///< empty where it is real
   std::string_view unit_rule;          ///< that one without unit breaks: "must have …"
   std::string_view unit_remedy;        ///< and what to do about it
-  std::string_view point_remedy = {};  ///< likewise for a point without node
+  std::string_view point_remedy = {};  ///< remedy for a point without node
 
   /// "dataset 3 (node 5 x by a force at node 1 x)". @throws InputError  without node or direction.
   [[nodiscard]] std::string full_name() const;

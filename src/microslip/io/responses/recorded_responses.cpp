@@ -49,7 +49,7 @@ Recording& recording_with(std::vector<Recording>& recordings, const ResponseChan
     if (found != nullptr) {
       throw InputError("channel " + in_quotes(wanted.name),
                        fmt::format("in {} and {}", found->source, recording.source),
-                       "must be there once");
+                       "must be given exactly once");
     }
     found = &recording;
   }
@@ -84,7 +84,7 @@ FrequencyResponses read_recorded_responses(const std::string& path,
   for (const ResponseChannel& wanted : channels) {
     if (std::ranges::count(channels, wanted.name, &ResponseChannel::name) > 1) {
       throw InputError("channel " + in_quotes(wanted.name), "in two [[test.response]]",
-                       "must be measured at one place");
+                       "must be measured at one point");
     }
     result.responses.push_back(listed_response(read.recordings, wanted));
   }
@@ -93,10 +93,10 @@ FrequencyResponses read_recorded_responses(const std::string& path,
     add_told_responses(recording, result.responses);
   }
   if (!result.responses.empty()) return result;
-  throw FormatError({.file = path},
-                    "channels that tell where they were measured, as convert keeps it of a "
-                    "universal file",
-                    "none", "Give channel, node and direction of each in a [[test.response]].");
+  throw FormatError(
+      {.file = path},
+      "channels with their measurement point, as convert keeps it from a universal file", "none",
+      "Give channel, node and direction of each in a [[test.response]].");
 }
 
 }  // namespace microslip

@@ -18,7 +18,7 @@ namespace microslip {
 struct ResponseChannel {
   std::string name;               ///< of the channel
   UffPoint response;              ///< with the sign of the direction
-  UffPoint reference = {};        ///< of the force, likewise
+  UffPoint reference = {};        ///< of the force
   std::optional<Unit> unit = {};  ///< of a channel that has none in the file
 };
 

@@ -30,12 +30,11 @@ FrequencyResponse response_of(Uff58 data, const std::optional<Uff164>& units,
       .dimension = channel.dimension,
       .values = channel.values,
       .imaginary = channel.imaginary,
-      .unit_rule = "must have labels of its units, or dataset 164 must be before it",
+      .unit_rule = "must have unit labels, or dataset 164 must precede it",
       .unit_remedy = "Export it with units, or give length_unit and force_unit."};
   if (channel.doubtful) {
     throw InputError(function.full_name(), "in g beside a factor of 0.10197",
-                     "may be in m/s^2 already, which the file does not tell",
-                     "Export it in m/s^2.");
+                     "may be in m/s^2 already, the file is ambiguous", "Export it in m/s^2.");
   }
   return frequency_response(function);
 }

@@ -19,9 +19,9 @@ struct UnitSystem {
   double force = 1.0;   ///< N
 };
 
-/// What a file has of them.
+/// Frequency responses of a file.
 struct FrequencyResponses {
-  std::vector<FrequencyResponse> responses;  ///< one at least, in the order of the file
+  std::vector<FrequencyResponse> responses;  ///< at least one, in the order of the file
   std::vector<Warning> warnings;             ///< what the reader had to forgive
 };
 

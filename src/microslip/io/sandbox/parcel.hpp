@@ -14,7 +14,7 @@
 #include "microslip/io/recordings/recordings.hpp"
 
 /// @file
-/// What a file holds as bytes of this machine, one value after the other: how a process hands over
+/// Contents of a file as bytes of this machine, one value after the other: how a process hands over
 /// what it has read to the one that started it, see reading_process.hpp. Each type has one function
 /// pass(), which serves both directions.
 

@@ -7,11 +7,11 @@
 #include "microslip/io/sandbox/parcel.hpp"
 
 /// @file
-/// What a reading process says, see reading_process.hpp. Internal to io.
+/// Messages of a reading process, see reading_process.hpp. Internal to io.
 
 namespace microslip {
 
-/// Stands before what is said: how far it is; what was read, then kEnd; an error, then kEnd.
+/// Precedes each message: how far it is; what was read, then kEnd; an error, then kEnd.
 enum class ReadingMessage : char { kProgress = 'p', kResult = 'r', kError = 'e', kEnd = 'd' };
 
 enum class ReadingErrorKind : char { kOfInput, kOfFormat, kOfFile, kOfMemory, kOther };

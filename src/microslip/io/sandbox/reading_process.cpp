@@ -46,7 +46,7 @@ class Received : public Base {
 [[noreturn]] void fail_as_damaged(const std::string& path, std::string_view how) {
   throw FormatError({.file = path}, "a whole HDF5 file",
                     fmt::format("one on which the HDF5 library {}", how),
-                    "The file is damaged; save or copy it anew.");
+                    "The file is damaged; save or copy it again.");
 }
 
 [[noreturn]] void throw_received(ReadingError error, const std::string& path) {
@@ -64,10 +64,10 @@ class Received : public Base {
   }
 }
 
-/// The program is gone before it has said all.
+/// The program has ended before its last message.
 struct Gone {};
 
-/// What the program sends, while the caller is asked whether to go on.
+/// Messages of the program, while the caller is asked whether to go on.
 class Answer {
  public:
   Answer(const FileDescriptor& pipe, const Progress& progress, std::size_t bytes)
@@ -134,7 +134,7 @@ class Answer {
       throw Cancelled();
     case SIGXCPU:
     case SIGALRM:
-      fail_as_damaged(path, "does not come to an end");
+      fail_as_damaged(path, "does not end");
     default:
       fail_as_damaged(path, "fails");
   }

@@ -13,7 +13,7 @@ namespace microslip {
 
 /// Of an amplitude that is not above 0.
 inline constexpr std::string_view kRemedyForNoMotion =
-    "A level without motion tells nothing: remove the row. Logarithms are not taken.";
+    "A level without motion has no information: remove the row. Logarithms are not taken.";
 
 /// Each value above 0.
 void require_positive(const CsvTable& table, std::string_view name, std::span<const double> values,

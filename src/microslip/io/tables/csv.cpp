@@ -174,7 +174,7 @@ std::size_t CsvTable::require(std::string_view name, std::string_view header) co
   const KnownKind* const known = known_kind_of(text_);
   const std::string_view rule = columns_.size() == 1
                                     ? "Is this line the header? Lines above it begin with '#'."
-                                    : "Names are case-sensitive; a unit stands in square brackets.";
+                                    : "Names are case-sensitive; write units in square brackets.";
   throw FormatError(
       place_at(text_, header_start_, file_), fmt::format("a column '{}'", header),
       fmt::format("the columns {}", in_quotes(names, 120)),
@@ -202,7 +202,7 @@ Unit CsvTable::unit_of(std::size_t column, const Dimension& expected) const {
   }
   const std::optional<Unit> unit = find_unit(*c.unit);
   const std::string remedy = c.unit->find('[') != std::string::npos
-                                 ? "Columns stand between commas, semicolons or tabs."
+                                 ? "Separate columns by commas, semicolons or tabs."
                                  : fmt::format("Units that fit: {}.", usual_units(expected));
   if (!unit) {
     throw FormatError(

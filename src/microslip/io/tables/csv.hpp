@@ -22,7 +22,7 @@ namespace microslip {
 /// one separator at the end of a line is tolerated. Numbers have a decimal point, or, between `;`
 /// or tabs, a decimal comma throughout. Comments and blank lines may stand anywhere.
 ///
-/// Cells are read as numbers or as text when a column is asked for; a column that nobody asks for
+/// Cells are read as numbers or as text when a column is asked for; a column that is not requested
 /// may hold anything. Every message names file, line and column, the cell and the rule.
 class CsvTable {
  public:

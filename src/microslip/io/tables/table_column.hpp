@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-/// What a column of a table is called, without its unit, and measures.
+/// Name of a column of a table, without its unit, and its quantity.
 struct TableColumn {
   std::string name;     ///< "displacement", "force at tip", "acceleration of table", "lap force"
   Dimension dimension;  ///< of its values

@@ -13,7 +13,7 @@
 namespace microslip {
 namespace {
 
-/// The first four records. The fourth goes on with version numbers, which nobody reads.
+/// The first four records. The fourth goes on with version numbers, which are not used.
 struct HeaderRecord {
   std::string_view name;
   std::size_t width;

@@ -34,7 +34,7 @@ std::string_view location_name(std::int64_t location) {
   }
 }
 
-/// Whether the result type is of displacements, velocities, accelerations, or not told.
+/// Whether the result type is of displacements, velocities, accelerations, or not given.
 bool is_motion(std::int64_t result) {
   return result == 0 || result == 1 || result == 8 || result == 11 || result == 12;
 }
@@ -133,11 +133,11 @@ std::optional<UffModeShape> read_uff2414(UffEnvelope& envelope, std::vector<Warn
   const Uff2414Form form = read_uff2414_form(envelope, shape);
   if (form.location != kAtNodes || !is_motion(shape.specific_type)) {
     if (std::ranges::find(warnings, kNoMotion, &Warning::code) == warnings.end()) {
-      warnings.push_back({std::string(kNoMotion),
-                          fmt::format("{} (2414) has result type {} {}, no motion of nodes: it is "
-                                      "left out, as are others without",
-                                      envelope.dataset_name(), shape.specific_type,
-                                      location_name(form.location))});
+      warnings.push_back(
+          {std::string(kNoMotion), fmt::format("{} (2414) has result type {} {}, no motion of "
+                                               "nodes: it is left out, as are others without",
+                                               envelope.dataset_name(), shape.specific_type,
+                                               location_name(form.location))});
     }
     return std::nullopt;
   }

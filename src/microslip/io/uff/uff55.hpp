@@ -13,7 +13,7 @@
 
 namespace microslip {
 
-/// What the datasets 55 and 2414 of a file hold.
+/// Contents of the datasets 55 and 2414 of a file.
 struct UffModeShapes {
   std::vector<UffModeShape> shapes;  ///< in the order of the file; none where it has none
   std::vector<Warning> warnings;     ///< what the reader had to forgive or left out

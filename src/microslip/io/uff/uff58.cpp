@@ -111,7 +111,7 @@ void warn_of_rest(const UffEnvelope& envelope, const UffEnvelope::Rest& rest,
   if (rest.lines > 0) {
     warnings.push_back(
         {"uff_extra_lines",
-         fmt::format("{}: {} line{} behind the announced values are not read",
+         fmt::format("{}: {} line{} after the announced values are not read",
                      envelope.dataset_name(), rest.lines, rest.lines == 1 ? "" : "s")});
   }
   if (!rest.closed) {
@@ -133,13 +133,13 @@ void take_truncated(UffEnvelope& envelope, Uff58& data, bool allow_truncated,
                        fmt::format("{} values ({} points) in {}", announced * per_point, announced,
                                    envelope.dataset_name()),
                        fmt::format("{} before its end", found),
-                       "Record or export it again, or take what is there with `allow_truncated`.");
+                       "Record or export it again, or read what is left with `allow_truncated`.");
   }
   data.header.points = points;
   data.values.resize(points);
   if (!data.header.even) data.x.resize(points);
   if (data.header.is_complex) data.imaginary.resize(points);
-  warnings.push_back({"uff_truncated", fmt::format("{}: {} of {} announced points are there",
+  warnings.push_back({"uff_truncated", fmt::format("{}: {} of {} announced points are present",
                                                    envelope.dataset_name(), points, announced)});
 }
 

@@ -44,7 +44,7 @@ BinaryForm read_form(const UffDataset& dataset, const TextPlace& place) {
 }
 
 /// Those that the header allows, the likelier first: x of uneven double values takes 8 bytes in
-/// what writers make, and 4 by the letter of the standard.
+/// as writers do, and 4 by the letter of the standard.
 std::vector<PointLayout> possible_layouts(const Uff58Header& header) {
   const std::size_t size = header.is_double ? 8 : 4;
   std::vector<PointLayout> layouts{
@@ -103,18 +103,17 @@ PointLayout choose_layout(UffEnvelope& envelope, const Uff58Header& header, std:
   if (!found && !too_few) {
     throw FormatError(
         input.place(),
-        fmt::format("the line '    -1' behind the {} bytes of the {} points of {}",
+        fmt::format("the line '    -1' after the {} bytes of the {} points of {}",
                     header.points * layout.bytes(), header.points, envelope.dataset_name()),
-        fmt::format("other bytes there, and {} bytes announced", announced),
+        fmt::format("other bytes, and {} bytes announced", announced),
         "The header and the values of the dataset contradict each other.");
   }
   if (!too_few && static_cast<std::uint64_t>(announced) != header.points * layout.bytes()) {
     warnings.push_back(
         {"uff_byte_count",
-         fmt::format("{}: {} bytes are announced, its {} points take {}; they are read by their "
-                     "number",
-                     envelope.dataset_name(), announced, header.points,
-                     header.points * layout.bytes())});
+         fmt::format(
+             "{}: {} bytes are announced, its {} points need {}; they are read by their number",
+             envelope.dataset_name(), announced, header.points, header.points * layout.bytes())});
   }
   return layout;
 }
@@ -126,7 +125,7 @@ UffFloat float_of(UffEnvelope& envelope, const BinaryForm& form, std::size_t siz
   const bool known = form.float_format > 0 && form.float_format < 4;
   throw FormatError(
       envelope.input().place(), "binary values in IEEE 754 (format 2) of byte order 1 or 2",
-      fmt::format("format {} ({}), byte order {}, {} bytes a value, in {}", form.float_format,
+      fmt::format("format {} ({}), byte order {}, {} bytes per value, in {}", form.float_format,
                   kFormats[known ? static_cast<std::size_t>(form.float_format) : 0],
                   form.byte_order, size, envelope.dataset_name()),
       "Export it again as text (58) or in IEEE 754.");
@@ -189,7 +188,7 @@ std::size_t bytes_before_end(UffInput& input, std::int64_t announced) {
                      fmt::format("{} bytes ({} points) in {}", header.points * layout.bytes(),
                                  header.points, envelope.dataset_name()),
                      fmt::format("{} before its end", there),
-                     "Record or export it again, or take what is there with `allow_truncated`.");
+                     "Record or export it again, or read what is left with `allow_truncated`.");
 }
 
 constexpr UffFloat kNativeDouble =

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// @file
-/// What a dataset 58, "function at nodal degree of freedom", says. Values and units are as in the
+/// Header of a dataset 58, "function at nodal degree of freedom". Values and units are as in the
 /// file. Not installed.
 
 namespace microslip {
@@ -27,7 +27,7 @@ struct UffPoint {
 /// of the data and dataset 164.
 inline constexpr std::string_view kUnknownUffUnit = "unknown";
 
-/// What the numbers of an axis are.
+/// Quantity of the numbers of an axis.
 struct UffQuantity {
   std::int64_t type = 0;                    ///< specific data type, see uff_units.hpp
   std::array<std::int64_t, 3> exponents{};  ///< of length, force, temperature; for type 1 only

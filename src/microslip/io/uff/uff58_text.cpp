@@ -78,7 +78,7 @@ void read_uff58_text_values(UffEnvelope& envelope, Uff58& data, std::vector<Warn
     const auto surplus = std::span(numbers).subspan(used);
     if (std::any_of(surplus.begin(), surplus.end(), [](double v) { return v != 0.0; })) {
       warnings.push_back(
-          {"uff_extra_values", fmt::format("{}: {} values behind the announced ones are not read",
+          {"uff_extra_values", fmt::format("{}: {} values after the announced ones are not read",
                                            envelope.dataset_name(), surplus.size())});
     }
   }

@@ -21,7 +21,7 @@ namespace microslip {
                                              const std::optional<Dimension>& values,
                                              bool is_complex);
 
-/// What differs from the usual header, but for points, values and their format.
+/// Attributes that differ from the usual header, but for points, values and their format.
 [[nodiscard]] Attributes uff58_attributes(const Uff58Header& header, const Uff58Header& usual);
 
 /// Sets the field that the attribute is of; attributes of other names and values that the field

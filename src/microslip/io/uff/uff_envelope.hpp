@@ -55,7 +55,7 @@ class UffEnvelope {
   /// closed().
   std::optional<std::string_view> value_line();
 
-  /// What skipping the rest of a dataset came upon.
+  /// Result of skipping the rest of a dataset.
   struct Rest {
     std::size_t lines = 0;  ///< not blank
     bool closed = false;    ///< false: the file ends without the closing line

@@ -44,7 +44,8 @@ std::string_view without_blanks_behind(std::string_view text) {
   return text.substr(0, text.find_last_not_of(' ') + 1);
 }
 
-/// What from_chars does not take: the letter D, no letter, more digits than a double can use.
+/// Numbers that from_chars does not accept: the letter D, no letter, more digits than a double can
+/// use.
 std::optional<double> read_fortran_number(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -27,8 +27,8 @@ namespace microslip {
 /// digits, or without a letter ("1.5-105"). What is too small for a double is 0.
 [[nodiscard]] std::optional<double> uff_number(std::string_view text);
 
-/// What fills a column of a line in UTF-8: Fortran pads text by characters, C and C++ by bytes. In
-/// other character sets it is the same.
+/// Unit that columns of a line in UTF-8 count: Fortran pads text by characters, C and C++ by bytes.
+/// In other character sets it is the same.
 enum class UffCount { kCharacters, kBytes };
 
 /// A field of a record's form.
@@ -41,10 +41,10 @@ struct UffField {
 /// How the columns of a line count.
 struct UffColumns {
   UffCount count = UffCount::kCharacters;
-  bool certain = true;  ///< false: the other way is as likely
+  bool certain = true;  ///< false: the other is as likely
 };
 
-/// The way by which blanks and integers stand where the form has them. Where that is so, or not so,
+/// The unit by which blanks and integers are where the form has them. Where that is so, or not so,
 /// by both, a line of 80 bytes or characters tells; otherwise characters are taken, uncertainly.
 [[nodiscard]] UffColumns uff_columns(std::string_view line, std::span<const UffField> form);
 

@@ -21,7 +21,8 @@ namespace microslip {
 [[nodiscard]] Recordings recordings_of_functions(std::vector<Uff58> functions,
                                                  const std::string& source);
 
-/// The functions that write_recordings_uff() writes of a recording to a binary file, one a channel.
+/// The functions of a recording that write_recordings_uff() writes to a binary file, one per
+/// channel.
 /// @throws InputError  as check_recording(); where the label of a unit has no place.
 [[nodiscard]] std::vector<Uff58> functions_of_recording(const Recording& recording);
 

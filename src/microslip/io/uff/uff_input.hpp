@@ -19,7 +19,7 @@ namespace microslip {
 class UffInput {
  public:
   /// A regular file is read piece by piece; what comes through a pipe is kept in memory.
-  /// @param progress  told the bytes done of all bytes, each few megabytes.
+  /// @param progress  called with the bytes done of all bytes, every few megabytes.
   /// @throws FileError  as read_file().
   explicit UffInput(const std::string& path, Progress progress = {});
 

@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// What such a dataset can be.
+/// Kind of such a dataset.
 enum class UffAnalysis {
   kOther,
   kNormalMode,         ///< real mode of the undamped structure
@@ -38,7 +38,7 @@ struct UffModeShape {
   /// Of a complex mode as in the file: a of the receptance Σ ψψᵀ/(a(iω − λ)) and the conjugate.
   std::optional<std::complex<double>> modal_a;
   std::optional<double> length_unit;  ///< m, by dataset 164; nothing without one
-  std::optional<double> force_unit;   ///< N, likewise
+  std::optional<double> force_unit;   ///< N, as above
   std::size_t values_per_node = 0;    ///< 3: X, Y, Z; 6: rotations too
   std::vector<std::int64_t> nodes;    ///< their numbers in the file
   std::vector<double> values;         ///< nodes × values_per_node, a node after the other

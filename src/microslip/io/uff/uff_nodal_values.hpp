@@ -11,7 +11,7 @@
 #include "microslip/io/uff/uff_mode_shape.hpp"
 
 /// @file
-/// What datasets 55 and 2414 have in common. Internal to io.
+/// Common to the datasets 55 and 2414. Internal to io.
 
 namespace microslip {
 

@@ -112,7 +112,7 @@ class UffRecordingReader {
     if (!uff_abscissa_unit(data.header, units_)) {
       result_.warnings.push_back(
           {"uff_axis_unit", fmt::format("{}: the unit of the abscissa, '{}', is not known; it is "
-                                        "neither time nor frequency here",
+                                        "treated as neither time nor frequency",
                                         envelope_.dataset_name(), data.header.abscissa.unit)});
     }
     UffChannel channel = uff_channel(std::move(data), units_);
@@ -132,7 +132,7 @@ class UffRecordingReader {
     if (damaged_shape_) std::rethrow_exception(damaged_shape_);
     const std::string found = input_.size() == 0 ? "an empty file" : describe(datasets_);
     throw FormatError({.file = input_.name()},
-                      "a function of two points at least (dataset 58 or 58b)", found);
+                      "a function of at least two points (dataset 58 or 58b)", found);
   }
 
   RecordingReadOptions options_;

@@ -34,7 +34,7 @@ namespace microslip {
 [[nodiscard]] Recordings read_recordings_uff(const std::string& path,
                                              const RecordingReadOptions& options = {});
 
-/// What can be read of a file.
+/// Recordings that can be read from a file.
 struct UffContents {
   Recordings recordings;                  ///< none where it has mode shapes alone
   std::vector<UffModeShape> mode_shapes;  ///< datasets 55 and 2414, in the order of the file

@@ -25,11 +25,10 @@ void check_name(const Recording& recording, const std::string& name) {
   const bool reads_back = uff_width(name) <= kWidth && uff_text(name) == name &&
                           trimmed(name) == name && !uff_is_none(name);
   if (reads_back) return;
-  throw InputError(
-      recording.source + ": name of a channel", in_quotes(name, kWidth),
-      "must have 80 characters at most in a universal file, without control characters "
-      "or blanks at its ends, and not be NONE",
-      "Rename the channel.");
+  throw InputError(recording.source + ": name of a channel", in_quotes(name, kWidth),
+                   "must have at most 80 characters in a universal file, without control "
+                   "characters or blanks at its ends, and not be NONE",
+                   "Rename the channel.");
 }
 
 void check_six_digits(const Recording& recording) {
@@ -41,8 +40,8 @@ void check_six_digits(const Recording& recording) {
   throw InputError(
       fmt::format("{}: point {} of the axis", recording.source, together - x.begin() + 2),
       *std::next(together),
-      "must differ from the one before it in the six digits of a universal file of text",
-      "Write it binary (58b).");
+      "must differ from the one before it in the six digits of a text universal file",
+      "Write it in binary (58b).");
 }
 
 void write_recording(FileOutput& output, const Recording& recording, bool binary) {

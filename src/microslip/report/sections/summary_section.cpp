@@ -82,9 +82,10 @@ ReportFacts key_facts(const ExperimentResults& results) {
 
 /// What the identification of the joint said of its own levels.
 std::string scatter_of(const IdentifiedJoint& found) {
-  std::string text = found.scatter_is_relative
-                         ? percent_text(*found.scatter) + " of D about the fit"
-                         : fmt::format("D {:.2f} of the standard deviations given", *found.scatter);
+  std::string text =
+      found.scatter_is_relative
+          ? percent_text(*found.scatter) + " of D about the fit"
+          : fmt::format("D {:.2f} times the given standard deviations", *found.scatter);
   if (found.secant_scatter) text += fmt::format(", k_eq {:.2f} of its own", *found.secant_scatter);
   return text;
 }
@@ -104,7 +105,7 @@ ReportFacts certainty(const ExperimentResults& results) {
     facts.facts.emplace_back(name, std::move(value));
   };
   const IdentifiedJoint& found = *results.joint;
-  add("method", found.method.empty() ? "not told by the file" : found.method);
+  add("method", found.method.empty() ? "not given in the file" : found.method);
   if (results.levels && found.from_these_levels) {
     add("levels", fmt::format("{}", used_count(*results.levels)));
   }

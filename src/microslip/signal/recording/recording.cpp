@@ -117,7 +117,7 @@ void Recording::assume_unit(std::string_view name, const Unit& unit) {
   if (found == channels.end()) throw_missing(*this, name);
   if (found->dimension) {
     throw InputError(name_of(*this, name), dimension_name(*found->dimension),
-                     "must have no unit where one is assumed", "The unit of the file holds.");
+                     "must have no unit if one is assumed", "The unit in the file is used.");
   }
   found->dimension = unit.dimension;
   for (double& value : found->values) value = unit.to_si(value);
@@ -126,7 +126,7 @@ void Recording::assume_unit(std::string_view name, const Unit& unit) {
 
 void check_recording(const Recording& recording) {
   if (recording.channels.empty()) {
-    throw InputError(recording.source, "no channel", "must have one at least");
+    throw InputError(recording.source, "no channel", "must have at least one");
   }
   const std::size_t points =
       recording.axis.even() ? recording.size() : recording.axis.values.size();

@@ -68,8 +68,8 @@ std::string widen_deviations(double scatter, ModalLevels& levels) {
   }
   if (!widened) return {};
   return fmt::format(
-      "its losses are taken to scatter {:.3g} times their standard deviations, as those of the "
-      "levels to identify from do",
+      "its losses are assumed to scatter by {:.3g} times their standard deviations, as in the "
+      "identified levels",
       scatter);
 }
 
@@ -90,8 +90,8 @@ std::string assume_scatter(const FoundAtLevels& found, ReadTest& test) {
   }
   if (!assumed) return {};
   return fmt::format(
-      "its losses have no standard deviation and are taken to scatter by {:.2g} %, as those of the "
-      "levels to identify from do",
+      "its losses have no standard deviation and are assumed to scatter by {:.2g} %, as in the "
+      "identified levels",
       100.0 * scatter);
 }
 
@@ -139,16 +139,15 @@ class CampaignWork {
       if (!part.not_judged.empty()) {
         all.warnings.push_back(
             {"left_out_not_judged",
-             fmt::format("{} is not judged: without it, {}", part.name, part.not_judged)});
+             fmt::format("{} is not assessed: without it, {}", part.name, part.not_judged)});
       }
       if (!part.contradicts()) continue;
       all.warnings.push_back(
           {"left_out_contradicts",
-           fmt::format(
-               "{} contradicts the others: {} of {} levels compared lie in the band that they "
-               "predict, D by {:+.3g} % on the mean; {:.2g} % of the draws have so few.",
-               part.name, part.curve.inside(), part.curve.compared(),
-               100.0 * std::expm1(part.mean_deviation()), 100.0 * part.curve.chance)});
+           fmt::format("{} contradicts the others: {} of {} levels compared lie in the band "
+                       "predicted from them, D differs by {:+.3g} % on average; p-value {:.2g} %.",
+                       part.name, part.curve.inside(), part.curve.compared(),
+                       100.0 * std::expm1(part.mean_deviation()), 100.0 * part.curve.chance)});
     }
   }
 
@@ -160,8 +159,8 @@ class CampaignWork {
         continue;
       all.warnings.push_back(
           {"sessions_differ",
-           fmt::format("the frequencies of session {}{} are {:+.2g} % off those of session {}: "
-                       "session_offsets = true takes such an offset off.",
+           fmt::format("the frequencies of session {}{} differ by {:+.2g} % from those of session "
+                       "{}: session_offsets = true corrects such an offset.",
                        session.name, mode_text(session), 100.0 * session.frequency_difference,
                        first_session(all, session))});
     }
@@ -172,8 +171,8 @@ class CampaignWork {
       if (all.sessions.has(session)) continue;
       all.warnings.push_back(
           {"session_unknown",
-           fmt::format("no test to identify from is of session {}: its offset of the frequency is "
-                       "not known, and that of the others counts as uncertainty.",
+           fmt::format("no test to identify from belongs to session {}: its frequency offset is "
+                       "unknown, and the offsets of the others count as uncertainty.",
                        session)});
     }
   }
@@ -183,9 +182,9 @@ class CampaignWork {
       const CampaignTest& test = plan_.tests[one.test];
       all.warnings.push_back(
           {"test_frequencies_differ",
-           fmt::format("the frequencies of {}{} are {:+.2g} ± {:.1g} % off those of the other "
-                       "tests of session {}: a session of its own, with session_offsets = true, "
-                       "takes such an offset off.",
+           fmt::format("the frequencies of {}{} differ by {:+.2g} ± {:.1g} % from those of the "
+                       "other tests of session {}: give it a session of its own, with "
+                       "session_offsets = true, to correct such an offset.",
                        test.name, plan_.of_model() ? fmt::format(", mode {}", one.mode) : "",
                        100.0 * one.difference, 100.0 * one.sigma, test.session)});
     }
@@ -199,11 +198,10 @@ class CampaignWork {
       all.warnings.push_back(
           {"offset_leans_on_joint",
            fmt::format(
-               "the amplitudes of session {}{} do not overlap those of session {}: its offset "
-               "of the frequency, {:+.2g} %, is what is left of the {:+.2g} % that they "
-               "differ by when the joint is given {:+.2g} %, by its dissipation alone. What "
-               "the joint is wrong by there is in the offset, and not in its standard "
-               "deviation.",
+               "the amplitudes of session {}{} do not overlap those of session {}: its frequency "
+               "offset, {:+.2g} %, is their difference of {:+.2g} % less {:+.2g} % for the "
+               "softening of the joint, inferred from its dissipation alone. Errors of the joint "
+               "there enter the offset, but not its standard deviation.",
                session.name, mode_text(session), first_session(all, session),
                100.0 * session.frequency_offset,
                100.0 * (session.frequency_offset + session.softening), 100.0 * session.softening)});
@@ -223,7 +221,7 @@ class CampaignWork {
 
   // ---- Predictions. ----
 
-  /// σ of what modes of the structure are known to by themselves, one a mode: as the plan or the
+  /// σ of what modes of the structure are known to by themselves, one per mode: as the plan or the
   /// model says, or 0 where what frequencies of the levels scatter by counts in its place.
   [[nodiscard]] std::vector<double> said_deviations(const ModelFile& model) const {
     std::vector<double> said = model.spread.frequency;
@@ -257,9 +255,9 @@ class CampaignWork {
       const double largest =
           std::ranges::max(modes.offset, {}, [](double offset) { return std::abs(offset); });
       throw InputError(fmt::format("session {}: {}", session, error.name()),
-                       fmt::format("a frequency {:+.3g} % off", 100.0 * std::expm1(largest)),
+                       fmt::format("a frequency offset of {:+.3g} %", 100.0 * std::expm1(largest)),
                        "must leave the structure some stiffness without the joint",
-                       "Give a stiffness_N_per_m that is not all of the stiffness there is.");
+                       "Give a stiffness_N_per_m below the total stiffness.");
     }
     if (plan_.draws > 0) set_spread(std::move(modes.deviation), model);
     return model;

@@ -29,7 +29,7 @@ namespace microslip {
 ///                                             input, or a test or the structure is no file of its
 ///                                             kind.
 [[nodiscard]] std::vector<ResultFile> planned_files(const CampaignRun& run);
-/// The same of a campaign that was opened before.
+/// As above, of a campaign that was opened before.
 [[nodiscard]] std::vector<ResultFile> planned_files(const CampaignRun& run,
                                                     const OpenedCampaign& opened);
 
@@ -38,20 +38,20 @@ namespace microslip {
 /// predicts the other tests, and composes the files.
 ///
 /// Of a model, levels of modes that are predicted and have no standard deviation of D or of ζ are
-/// taken to scatter as D of the levels to identify from does; where these scatter more than their
+/// assumed to scatter as D of the levels to identify from does; where these scatter more than their
 /// standard deviations say, those of predicted levels count so much more. The comparison says so.
 ///
 /// A predicted test of a session with levels has the model of that session, whose frequency is off
-/// by its offset δ; σ of the frequency is frequency_std of the plan or, where that is not said,
-/// what the frequencies of the levels scatter by about those of the model, together with σ_δ. Of a
-/// session without levels no offset is known: that of the others, rms, counts in σ in its place. Of
-/// a model see modal_offsets(): vibrations that the session and the first one tell are off as
-/// measured where the joints have the mean of their secant stiffnesses at the levels of the
+/// by its offset δ; σ of the frequency is frequency_std of the plan or, where that is not given,
+/// the scatter of the frequencies of the levels about those of the model, together with σ_δ. Of a
+/// session without levels no offset is known: that of the others, rms, counts in σ in its place.
+/// Of a model see modal_offsets(): vibrations that the session and the first one determine have the
+/// measured offset where the joints have the mean of their secant stiffnesses at the levels of the
 /// session; by what that changes over the levels, rms, σ_δ is more.
 /// @throws FileError, FormatError, InputError  as planned_files(), the readers, identify().
 /// @throws Cancelled                           as the progress says.
 [[nodiscard]] DoneCampaign run_campaign(const CampaignRun& run);
-/// The same of a campaign that was opened before.
+/// As above, of a campaign that was opened before.
 [[nodiscard]] DoneCampaign run_campaign(const CampaignRun& run, const OpenedCampaign& opened);
 
 /// The summary.

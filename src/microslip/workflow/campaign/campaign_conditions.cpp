@@ -215,7 +215,7 @@ std::string percent_of(const ConditionMean& mean) {
   return fmt::format("{:+.2g} ± {:.2g} %", 100.0 * mean.mean, 100.0 * mean.sigma);
 }
 
-/// What two groups differ by.
+/// Difference between two groups.
 struct GroupDifference {
   const ConditionGroup* of = nullptr;
   const ConditionGroup* against = nullptr;
@@ -245,7 +245,7 @@ std::optional<GroupDifference> largest_difference(const ConditionEffect& effect,
 }
 
 std::string difference_text(std::string_view quantity, const GroupDifference& one) {
-  return fmt::format("{} of {} is {} off that of {}{}", quantity, printable(one.of->value),
+  return fmt::format("{} at {} differs by {} from that at {}{}", quantity, printable(one.of->value),
                      percent_of(one.by), printable(one.against->value),
                      one.significant() ? ", more than three standard deviations" : "");
 }
@@ -257,7 +257,7 @@ std::string values_text(const ConditionEffect& effect) {
 }
 
 std::string pooled_text(const ConditionEffect& effect) {
-  return fmt::format("tests of {} = {} are identified together: {}", printable(effect.name),
+  return fmt::format("tests at {} = {} are identified together: {}", printable(effect.name),
                      values_text(effect), condition_verdict(effect).text);
 }
 
@@ -283,16 +283,16 @@ ConditionVerdict condition_verdict(const ConditionEffect& effect) {
   };
   tell("D", &ConditionGroup::dissipation);
   tell("the frequency", &ConditionGroup::frequency);
-  verdict.text += verdict.differ ? ". They are not alike: identify them apart." : ".";
+  verdict.text += verdict.differ ? ". They differ: identify them separately." : ".";
   if (!effect.common_modes) {
     verdict.text +=
-        " They have levels of no mode in common: what the condition does and what the mode does "
-        "cannot be told apart.";
+        " They have no mode in common: the effects of the condition and of the mode cannot be "
+        "distinguished.";
   }
   if (!effect.overlap) {
     verdict.text +=
-        " Their amplitudes do not overlap: what the condition does and what the amplitude does "
-        "cannot be told apart.";
+        " Their amplitudes do not overlap: the effects of the condition and of the amplitude "
+        "cannot be distinguished.";
   }
   return verdict;
 }
@@ -345,8 +345,8 @@ std::vector<Warning> condition_warnings(const CampaignFile& campaign,
       }
       warnings.push_back(
           {"condition_not_identified",
-           fmt::format("{} is predicted at {} = {}, and the {} identified at {}: what that "
-                       "changes is not known.",
+           fmt::format("{} is predicted at {} = {}, but the {} identified at {}: the effect of the "
+                       "difference is unknown.",
                        test.name, printable(effect.name), printable(one->value),
                        campaign.of_model() ? "joints were" : "joint was", values_text(effect))});
     }

@@ -8,12 +8,12 @@
 #include <vector>
 
 /// @file
-/// What sessions and conditions of the tests of a campaign do, as its tables tell it.
+/// Effects of sessions and conditions of the tests of a campaign, as in its tables.
 
 namespace microslip {
 
-/// A mode in a session against the joints that were identified from all. NaN where the levels do
-/// not tell. Of a rig there is one mode.
+/// A mode in a session compared with the joints that were identified from all. NaN where the levels
+/// do not determine it. Of a rig there is one mode.
 struct SessionEffect {
   std::string name = {};   ///< of the session
   std::size_t mode = 1;    ///< from 1
@@ -49,7 +49,7 @@ struct ConditionGroup {
   std::size_t tests = 0;              ///< with levels
   std::size_t levels = 0;             ///< of these
   double least = 0.0;                 ///< amplitude, m
-  double largest = 0.0;               ///< likewise
+  double largest = 0.0;               ///< as above
   ConditionMean dissipation = {};     ///< of r = ln(D/D̂)
   /// Of y = ln(f/f̂) less the offset of the session and, of a model, what is wrong with the mode.
   ConditionMean frequency = {};
@@ -63,7 +63,7 @@ struct ConditionEffect {
   /// Slope of r over the condition by weighted least squares of the means, 1 a unit of the
   /// condition; NaN where a value is no number, there is one, or a σ is not known.
   ConditionMean dissipation_trend = {};
-  ConditionMean frequency_trend = {};  ///< the same of y
+  ConditionMean frequency_trend = {};  ///< trend of y
   bool overlap = true;                 ///< whether the amplitudes of all groups do
   bool common_modes = true;            ///< whether all groups have levels of one mode
 

@@ -17,7 +17,7 @@
 
 namespace microslip {
 
-/// What the files of a campaign begin with.
+/// Comment at the beginning of the files of a campaign.
 struct CampaignComment {
   std::string text = {};               ///< provenance, without warnings
   std::vector<InputHash> inputs = {};  ///< campaign, structure and tests
@@ -47,9 +47,9 @@ class CampaignJoints {
   /// @param all  with its sessions. @param warnings  get those of it.
   [[nodiscard]] virtual ModelFile model(const DoneCampaign& all,
                                         std::vector<Warning>& warnings) const = 0;
-  /// What offsets of the frequencies of a session make of the modes of the model.
+  /// Effect of frequency offsets of a session on the modes of the model.
   /// @param session  by name. @param model  that model() gave. @param all  with its sessions.
-  /// @param scatter  standard deviation of a frequency beside that of its offset, 1; one a mode.
+  /// @param scatter  standard deviation of a frequency beside that of its offset, 1; one per mode.
   /// @throws InputError  where no modes have these frequencies with the joints.
   [[nodiscard]] virtual SessionModes modes_in(const std::string& session, const ModelFile& model,
                                               const DoneCampaign& all,
@@ -65,14 +65,14 @@ class CampaignJoints {
 [[nodiscard]] std::vector<ResultFile> planned_files_of_rig(const CampaignRun& run,
                                                            const CampaignFile& plan);
 [[nodiscard]] std::vector<ResultFile> planned_files_of_model(
-    const CampaignRun& run, const OpenedCampaign& opened);  ///< likewise
+    const CampaignRun& run, const OpenedCampaign& opened);  ///< as above
 
-/// @param run      is kept by reference. @param opened  likewise.
+/// @param run      kept by reference. @param opened  kept by reference.
 /// @param comment  of the files.
 [[nodiscard]] std::unique_ptr<CampaignJoints> joints_of_rig(const CampaignRun& run,
                                                             const OpenedCampaign& opened,
                                                             CampaignComment comment);
 [[nodiscard]] std::unique_ptr<CampaignJoints> joints_of_model(
-    const CampaignRun& run, const OpenedCampaign& opened, CampaignComment comment);  ///< likewise
+    const CampaignRun& run, const OpenedCampaign& opened, CampaignComment comment);  ///< as above
 
 }  // namespace microslip

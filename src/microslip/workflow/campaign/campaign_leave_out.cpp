@@ -169,15 +169,14 @@ void check_leave_out(const CampaignFile& campaign, const CampaignLevels& levels)
   for (const LeftOut& part : parts_of(campaign, levels)) {
     const LevelEvidence others(some_levels(levels.levels, others_than(part, levels.size())));
     if (others.size() >= kFewestLevels) continue;
-    throw InputError(
-        "identification.leave_one_out",
-        campaign.leave_out == LeaveOut::kTests ? "'tests'" : "'levels'",
-        fmt::format("leaves too few: without '{}' there are {} different amplitudes, and a density "
-                    "takes {} or more",
-                    part.name, others.size(), kFewestLevels),
-        campaign.leave_out == LeaveOut::kTests
-            ? "Leave out levels, \"levels\", or nothing, or measure more of them."
-            : "Leave it out, or measure more levels.");
+    throw InputError("identification.leave_one_out",
+                     campaign.leave_out == LeaveOut::kTests ? "'tests'" : "'levels'",
+                     fmt::format("leaves too few: without '{}' there are {} different amplitudes, "
+                                 "and a density needs {} or more",
+                                 part.name, others.size(), kFewestLevels),
+                     campaign.leave_out == LeaveOut::kTests
+                         ? "Leave out levels, \"levels\", or nothing, or measure more of them."
+                         : "Leave it out, or measure more levels.");
   }
 }
 

@@ -20,30 +20,32 @@
 
 namespace microslip {
 
-/// In place of a verdict where the others do not know each joint by itself.
+/// In place of a verdict where the others do not determine each joint separately.
 inline constexpr std::string_view kNotJudged = "not_judged";
 
-/// What was left out, and what the others predict of it.
+/// A part that was left out, and its prediction from the others.
 struct LeftOut {
   std::string name = {};                 ///< of the test, or of test and level
   std::vector<std::size_t> levels = {};  ///< their numbers among those of the campaign, from 0
   std::vector<double> measured = {};     ///< D of each, J
-  /// D of each at its amplitude, by the joint that the others give. `measured` in it is NaN where
-  /// the amplitude is beyond those of the others, which predict nothing there.
+  /// D of each at its amplitude, by the joint identified from the others. `measured` in it is NaN
+  /// where the amplitude is beyond those of the others, which give no prediction there.
   ComparedCurve curve = {};
-  DrawsTaken taken = {};  ///< what became of the draws
+  DrawsTaken taken = {};  ///< outcome of the draws
   bool converged = true;  ///< the identification without it
-  /// Why the others give nothing, of a model; then no level is compared. Empty where they do.
+  /// Reason why the others give no result, for a model; then no level is compared. Empty where they
+  /// do.
   std::string failure = {};
   std::vector<Warning> warnings = {};  ///< of a model, of the identification without it
-  /// Why it is not judged: the others do not know each joint by itself, and where that is so their
-  /// bands are not to be believed. Empty where it is.
+  /// Reason why it is not assessed: the others do not determine each joint separately, so that
+  /// their bands are unreliable. Empty where it is assessed.
   std::string not_judged = {};
 
   /// ln of the mean of D/D̂, weighted by (D̂/σ)², over the levels that are compared, 1; NaN where
   /// there is none.
   [[nodiscard]] double mean_deviation() const;
-  /// Whether it is judged, and so few levels lie in the band as of 1 − P of the draws, or fewer.
+  /// Whether it is assessed, and the p-value of the number of levels in the band is at most 1 −
+  /// P.
   [[nodiscard]] bool contradicts() const;
   /// Measured less predicted of value i over the distance of the edge of the band on that side, 1:
   /// beyond 1 and −1 it is outside. NaN where it is not compared.
@@ -56,7 +58,7 @@ struct LeaveOutOptions {
   IdentificationOptions identification = {};   ///< with bands, whose draws predict
   CommonErrors errors = {};                    ///< of the levels
   Execution execution = Execution::threads();  ///< of the draws
-  Progress progress = {};                      ///< told of the identifications; may cancel
+  Progress progress = {};                      ///< reports the identifications; may cancel
 };
 
 /// Before all work: that a density can be identified without each of them.

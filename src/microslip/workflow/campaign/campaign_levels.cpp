@@ -25,7 +25,7 @@
 namespace microslip {
 namespace {
 
-/// What not every test has, with the name of its column.
+/// Quantity that not every test has, with the name of its column.
 struct OptionalValues {
   std::vector<double> Levels::*values;
   const char* name;
@@ -40,7 +40,7 @@ constexpr std::array kOptional{
     OptionalValues{&Levels::frequency_std, "frequency_std"},
 };
 
-/// What each record of a table of levels is called.
+/// Names of the records of a table of levels.
 std::vector<std::string> sources_of(const NamedInput& input, const LevelsFile& used) {
   const CsvTable table(input.text, input_name(input.path));
   if (!table.has("source")) {

@@ -21,12 +21,12 @@ namespace microslip {
 /// Levels of several tests, test after test. Each vector but `tables` and `warnings` has one entry
 /// a level.
 struct CampaignLevels {
-  /// What each test has alone; frequencies as measured. Of a model the amplitude is that of the
-  /// response point, and D that of all joints; NaN where something was not measured.
+  /// Quantities of the single tests; frequencies as measured. Of a model the amplitude is that of
+  /// the response point, and D that of all joints; NaN where something was not measured.
   Levels levels = {};
   std::vector<std::size_t> mode = {};    ///< from 1; of a model, else empty: the first
   std::vector<std::size_t> test = {};    ///< number of its test in the campaign, from 0
-  std::vector<std::string> source = {};  ///< of its record or sweep; "level 3" where it is not told
+  std::vector<std::string> source = {};  ///< of its record or sweep; "level 3" if not given
   std::vector<std::string> flags = {};   ///< between blanks
   std::vector<double> reversals = {};    ///< in a cycle, 1
 
@@ -46,7 +46,7 @@ struct CampaignLevels {
 /// Reads levels.csv, or reduces what is none by its kind.
 /// @param campaign  whose tests. @param out  folder of the tables. @param command  of their
 ///     comment.
-/// @param progress  told of the records; may cancel.
+/// @param progress  reports the records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as reduce_campaign_test(),
 ///     level_table_of().
 [[nodiscard]] CampaignLevels campaign_levels(const OpenedCampaign& campaign, const std::string& out,

@@ -22,7 +22,7 @@ constexpr double kNotCompared = std::numeric_limits<double>::quiet_NaN();
 /// Over the largest amplitude of the others: two calibrations agree no better on amplitudes.
 constexpr double kNearlyBeyond = 1.01;
 
-/// What is left out at once, by the order of the levels.
+/// Parts that are left out at once, in the order of the levels.
 struct ModalPart {
   std::string name;
   std::vector<std::size_t> levels;  ///< their numbers
@@ -98,7 +98,7 @@ class ModalPartsLeftOut {
   }
 
  private:
-  /// What the others give.
+  /// Joints from the other parts.
   struct Others {
     CalibratedModel done;
     ModelFile model;

@@ -40,7 +40,7 @@ NamedInput modal_table_of_test(const OpenedCampaign& campaign, std::size_t numbe
   return {all.tables.back().path, all.tables.back().content};
 }
 
-/// What each record of a table is called.
+/// Names of the records of a table.
 std::vector<std::string> sources_of_modal(const NamedInput& input, std::size_t count) {
   const CsvTable table(input.text, input_name(input.path));
   if (table.has("source")) return table.text("source");
@@ -49,13 +49,13 @@ std::vector<std::string> sources_of_modal(const NamedInput& input, std::size_t c
   return names;
 }
 
-/// What is told against each level, between blanks; empty where nothing is.
+/// Flags of each level, separated by blanks; empty where there are none.
 std::vector<std::string> flags_of_modal_table(const NamedInput& input, std::size_t count) {
   const CsvTable table(input.text, input_name(input.path));
   return table.has("flags") ? table.text("flags") : std::vector<std::string>(count);
 }
 
-/// A vector of one value a level, NaN where it was not measured.
+/// A vector of one value per level, NaN where it was not measured.
 std::vector<double> whole(const std::vector<double>& values, std::size_t count) {
   return values.empty() ? std::vector<double>(count, std::numeric_limits<double>::quiet_NaN())
                         : values;

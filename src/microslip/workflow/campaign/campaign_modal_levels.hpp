@@ -26,7 +26,7 @@ struct CampaignModalLevels {
 
 /// Reads modal_levels.csv, or reduces what is none by its kind.
 /// @param campaign  of a model. @param out  folder of the tables.
-/// @param command   of their comment. @param progress  told of the records; may cancel.
+/// @param command   of their comment. @param progress  reports the records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as reduce_modal_test(),
 ///     parse_modal_levels().
 [[nodiscard]] CampaignModalLevels campaign_modal_levels(const OpenedCampaign& campaign,

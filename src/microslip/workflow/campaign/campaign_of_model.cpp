@@ -55,7 +55,7 @@ ModelCalibration calibration_of(const CampaignRun& run, const CampaignFile& plan
   return calibration;
 }
 
-/// What was found at each level.
+/// Results at each level.
 template <typename Read>
 std::vector<double> of_levels(const CalibrationResult& found, const Read& read) {
   std::vector<double> values;
@@ -100,9 +100,9 @@ class ModelJoints : public CampaignJoints {
     (found.loss_std_given ? all.found.deviation_scatter : all.found.loss_scatter) =
         found.loss_scatter;
     all.found.converged = found.summary.converged();
-    CalibratedModel told = done_;  // whose warnings are among those of all
-    told.found.warnings.clear();
-    all.found.summary = describe_calibration(calibration_, told);
+    CalibratedModel described = done_;  // whose warnings are among those of all
+    described.found.warnings.clear();
+    all.found.summary = describe_calibration(calibration_, described);
     std::ranges::copy(all.levels.warnings, std::back_inserter(all.warnings));
     std::ranges::copy(found.warnings, std::back_inserter(all.warnings));
   }
@@ -154,7 +154,7 @@ class ModelJoints : public CampaignJoints {
   }
 
  private:
-  /// ζ/ζ̂ of levels whose losses are told by it, and by nothing else.
+  /// ζ/ζ̂ of levels whose losses are given only by it.
   [[nodiscard]] std::vector<double> damping_over_found() const {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < modal_.damping_ratio.size(); ++i) {

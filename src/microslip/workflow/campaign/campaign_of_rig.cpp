@@ -78,9 +78,9 @@ class RigJoint : public CampaignJoints {
       }
     }
     all.found.converged = found.summary.converged();
-    Identification told = found;  // whose warnings are among those of all
-    told.warnings.clear();
-    all.found.summary = describe_identification(told, identified_->count);
+    Identification described = found;  // whose warnings are among those of all
+    described.warnings.clear();
+    all.found.summary = describe_identification(described, identified_->count);
     std::ranges::copy(all.levels.warnings, std::back_inserter(all.warnings));
     std::ranges::copy(found.warnings, std::back_inserter(all.warnings));
     add_joint_warnings(kJointName, joint_, all.warnings);
@@ -140,7 +140,7 @@ class RigJoint : public CampaignJoints {
     return session_effects(plan_, levels, state_, found.joint, found.linear_damping.value_or(0.0));
   }
 
-  /// Frequencies are no data of the joint, but its warnings tell of them: offsets are taken off
+  /// Frequencies are not data of the joint, but appear in its warnings: offsets are subtracted
   /// before.
   [[nodiscard]] SessionEffects effects_by_first_joint(const CampaignLevels& levels) const {
     LevelsIdentification first = identification_;
@@ -167,7 +167,7 @@ class RigJoint : public CampaignJoints {
     return identify_table(pooled(levels, offsets_of_levels(effects, plan_, levels)), options);
   }
 
-  /// What is known of the tests together belongs to the joint, beside what its levels tell.
+  /// Warnings on the tests together belong to the joint, in addition to those on its levels.
   void tell_joint(const std::vector<Warning>& warnings) {
     NamedValues& record = joint_.identification;
     std::erase_if(record, [](const auto& entry) {

@@ -22,7 +22,7 @@ constexpr std::size_t kMostByThemselves = 3;
 struct OutliersOfTest {
   std::vector<std::size_t> number = {};                       ///< of each in the test, from 1
   double least = std::numeric_limits<double>::quiet_NaN();    ///< D over that of the joints, 1
-  double largest = std::numeric_limits<double>::quiet_NaN();  ///< likewise
+  double largest = std::numeric_limits<double>::quiet_NaN();  ///< as above
 };
 
 std::string outliers_text(const std::string& test, std::size_t levels,
@@ -32,14 +32,14 @@ std::string outliers_text(const std::string& test, std::size_t levels,
                                      : fmt::format("{}: {} of {} levels ({})", test, count, levels,
                                                    fmt::join(outliers.number, ", "));
   if (std::isfinite(outliers.least)) {
-    text += fmt::format(" have {:.3g} to {:.3g} times the loss found,", outliers.least,
+    text += fmt::format(" have {:.3g} to {:.3g} times the identified loss,", outliers.least,
                         outliers.largest);
   } else {
     text += " are";
   }
   return text +
-         " far off what the levels scatter by. They counted in full: correct the test, or leave it "
-         "out.";
+         " far outside the scatter of the levels. They were given full weight: correct the test, "
+         "or leave it out.";
 }
 
 /// The level that a warning is of; the number of all where it is no outlier.

@@ -36,14 +36,13 @@ void check_structure(const CampaignFile& plan, const std::string& text) {
   if (kind == asked) return;
   if (plan.of_model()) {
     throw InputError("model", in_quotes(plan.structure), "must be a model.toml",
-                     kind == kRigKind ? "A rig.toml, of one joint, is given as structure."
+                     kind == kRigKind ? "Give a rig.toml, of one joint, as structure."
                                       : "The subcommand modes makes one from matrices or a test.");
   }
   throw InputError("structure", in_quotes(plan.structure), "must be a rig.toml, of one joint",
-                   kind == kModelKind
-                       ? "Give a model.toml, whose joints are found from levels of its modes, as "
-                         "model in place of structure."
-                       : "A structure known by its modes has [modes] there.");
+                   kind == kModelKind ? "Give a model.toml, whose joints are identified from "
+                                        "levels of its modes, as model in place of structure."
+                                      : "A structure given by its modes has [modes] there.");
 }
 
 /// In the words of campaign.toml: only the inversion has draws, and p is of another method.
@@ -69,14 +68,13 @@ void check_forcing(const CampaignFile& plan, const std::vector<TestFile>& files)
     if (decay && !plan.modal_forcing) {
       throw InputError(
           fmt::format("test '{}': kind", test.name), in_quotes("ringdown"),
-          "must not be identified from beside forcing = \"excitation\": nothing drives "
-          "a decay",
+          "must not be used to identify with forcing = \"excitation\": a decay is not driven",
           "Give forcing = \"modal\", and driven levels in a campaign of their own.");
     }
     if (!decay && plan.modal_forcing && files[t].content != TestContent::kModalLevels) {
       throw InputError(fmt::format("test '{}'", test.name), in_quotes(test.file),
-                       "must not be identified from beside forcing = \"modal\": the excitation "
-                       "drives a steady record",
+                       "must not be used to identify with forcing = \"modal\": a steady record is "
+                       "driven by the excitation",
                        "Give forcing = \"excitation\", and decays in a campaign of their own.");
     }
   }

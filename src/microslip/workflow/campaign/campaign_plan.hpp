@@ -9,7 +9,7 @@
 #include "microslip/workflow/identify/calibration.hpp"
 
 /// @file
-/// What a campaign.toml asks for: the tests and the structure that it names, and the files that
+/// Plan of a campaign.toml: the tests and the structure that it names, and the files that
 /// come of it. Internal to workflow.
 
 namespace microslip {

@@ -16,29 +16,29 @@
 
 namespace microslip {
 
-/// What the joints give at the levels that they were identified from, beside frequency and D. Empty
-/// where levels have none of it, NaN where one has not.
+/// Results of the joints at the levels from which they were identified, other than frequency and D.
+/// Empty where levels have none of it, NaN where one has not.
 struct FoundAtLevels {
   std::vector<double> secant_stiffness = {};        ///< of the joint, N/m
   std::vector<double> measured_damping_ratio = {};  ///< structure included, 1
   std::vector<double> damping_ratio = {};           ///< as found, 1
-  /// What D of levels of modes scatters by, relative, where they have no standard deviations; else
+  /// Relative scatter of D of levels of modes, where they have no standard deviations; else
   /// 0.
   double loss_scatter = 0.0;
-  /// Where they have them, what they scatter by over these, 1; else 0.
+  /// Where they have them, the scatter over these, 1; else 0.
   double deviation_scatter = 0.0;
   std::string summary = {};  ///< of the identification, without warnings
   bool converged = true;     ///< the identification
 };
 
-/// What came of it.
+/// Result of run_campaign().
 struct DoneCampaign {
   CampaignFile plan;             ///< as read
   CampaignLevels levels = {};    ///< of the tests that the joints were identified from
   FoundAtLevels found = {};      ///< by the joints
-  SessionEffects sessions = {};  ///< what sessions differ by
-  std::vector<ConditionEffect> conditions = {};  ///< what tests of different conditions do
-  std::vector<LeftOut> left_out = {};            ///< empty where that was not asked for
+  SessionEffects sessions = {};  ///< differences of the sessions
+  std::vector<ConditionEffect> conditions = {};  ///< effects of the conditions of tests
+  std::vector<LeftOut> left_out = {};            ///< empty where not requested
   VerifiedTests verified = {};                   ///< sweeps and modes of the predicted tests
   std::vector<std::size_t> test_of = {};         ///< number in the plan of each of these, from 0
   std::vector<Warning> warnings = {};            ///< of all of it but the verified tests

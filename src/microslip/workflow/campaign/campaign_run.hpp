@@ -14,13 +14,13 @@
 
 namespace microslip {
 
-/// What is asked for.
+/// Inputs and options of run_campaign().
 struct CampaignRun {
   std::string campaign;                        ///< path of campaign.toml
   std::string out;                             ///< folder of the results
   std::string command;                         ///< that the files are made by
   Execution execution = Execution::threads();  ///< of the draws
-  Progress progress = {};                      ///< told of all draws; may cancel
+  Progress progress = {};                      ///< reports all draws; may cancel
 };
 
 /// A campaign with its files, each of which was opened, recognised and hashed once.

@@ -67,16 +67,15 @@ void StructureSessions::require_shares(const std::string& session,
   for (const StructureOffset& one : told) {
     const double share = share_of_modes(structure_, one);
     if (share >= kLeastShare) continue;
-    throw InputError(
-        fmt::format("session_offsets: session {}, mode {}", session, one.mode + 1),
-        fmt::format("{:.2g} % of its stiffness without the joints", 100.0 * share),
-        "must have 10 % or more: an offset is one of the structure, and not of its joints",
-        "Leave session_offsets out, or predict no test of this session.");
+    throw InputError(fmt::format("session_offsets: session {}, mode {}", session, one.mode + 1),
+                     fmt::format("{:.2g} % of its stiffness without the joints", 100.0 * share),
+                     "must be 10 % or more: an offset is one of the structure, not of its joints",
+                     "Leave session_offsets out, or predict no test of this session.");
   }
 }
 
 /// An offset of the structure is less at levels where its joints are stiff, and one of all its
-/// stiffness is not: by this they differ, rms over the levels, 1. Which it is nobody knows.
+/// stiffness is not: by this they differ, rms over the levels, 1. Which of them holds is unknown.
 /// @param moved  the structure with the offset.
 double StructureSessions::change_over_levels(const std::string& session,
                                              const StructureOffset& told,
@@ -99,7 +98,7 @@ SessionModes StructureSessions::modes_in(const std::string& session,
   require_shares(session, told);
   const ModalOffsets found = modal_offsets(structure_, told, others);
   const JointedStructure moved = with_modal_offsets(structure_, found.offset);
-  std::vector<double> deviation;  // of each that is told
+  std::vector<double> deviation;  // of each that is determined
   for (const StructureOffset& one : told) {
     const double own = campaign_.sessions.told_offset(session, one.mode + 1)->second;
     deviation.push_back(
@@ -131,13 +130,13 @@ std::vector<Warning> StructureSessions::warnings_of_change() const {
       if (!(change > scatter)) continue;
       warnings.push_back(
           {"offset_of_another_kind",
-           fmt::format("the offset of session {}, mode {}, {:+.2g} %, counts as one factor of all "
-                       "its frequencies when the joints are found. One of the structure without "
-                       "its joints changes by {:.2g} % over the levels, more than the {:.2g} % "
-                       "that their frequencies scatter by: the joints may be off by more than "
-                       "their bands. frequency = \"ignore\" finds them by their losses alone.",
-                       session, one.mode + 1, 100.0 * one.offset, 100.0 * change,
-                       100.0 * scatter)});
+           fmt::format(
+               "the offset of session {}, mode {}, {:+.2g} %, is treated as one factor on all its "
+               "frequencies when the joints are identified. An offset of the structure without its "
+               "joints changes by {:.2g} % over the levels, more than the scatter of {:.2g} % of "
+               "their frequencies: the joints may be in error by more than their bands. frequency "
+               "= \"ignore\" identifies them from their losses alone.",
+               session, one.mode + 1, 100.0 * one.offset, 100.0 * change, 100.0 * scatter)});
     }
   }
   return warnings;

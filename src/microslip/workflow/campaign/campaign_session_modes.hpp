@@ -11,7 +11,7 @@
 #include "microslip/workflow/campaign/campaign_joints.hpp"
 
 /// @file
-/// What offsets of the frequencies of a session are of a structure with several joints. Internal to
+/// Frequency offsets of a session as offsets of a structure with several joints. Internal to
 /// workflow.
 
 namespace microslip {

@@ -197,7 +197,8 @@ void take_offsets(SessionEffects& effects) {
     SessionEffect& session = effects.sessions[s];
     if (!std::isfinite(session.frequency_difference)) continue;  // without frequencies
     if (!std::isfinite(session.frequency_difference_std)) {
-      throw_no_offsets("needs a session with two levels: with one each, nothing tells the scatter");
+      throw_no_offsets(
+          "needs a session with two levels: with one each, the scatter cannot be determined");
     }
     session.frequency_offset = session.frequency_difference;
     session.frequency_offset_std = session.frequency_difference_std;
@@ -228,7 +229,7 @@ void add_frequencies(const CampaignFile& campaign, const CampaignLevels& levels,
   if (!all.empty()) effects.frequency_std = rms_of(all);
 }
 
-/// What is said of sessions whose amplitudes do not overlap those of the first.
+/// Marks sessions whose amplitudes do not overlap those of the first.
 void add_ranges(const CampaignFile& campaign, const CampaignLevels& levels,
                 SessionEffects& effects) {
   const auto amplitude = by_session(effects, campaign, levels, levels.levels.amplitude);

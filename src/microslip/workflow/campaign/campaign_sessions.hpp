@@ -16,7 +16,7 @@
 #include "microslip/workflow/campaign/campaign_levels.hpp"
 
 /// @file
-/// What the sessions of a campaign differ by.
+/// Differences between the sessions of a campaign.
 
 namespace microslip {
 
@@ -30,11 +30,11 @@ struct SessionEffects {
   std::vector<double> exponent = {};  ///< d ln D̂/d ln A there, 1; 0 where D̂ is. None of a model
   /// ζ/ζ̂ of each level, 1; NaN where D was measured. Empty where ζ never was.
   std::vector<double> damping_over_found = {};
-  /// rms of y less the offset of its session, 1: what the model misses the frequencies by, its
-  /// nominal frequency among it; 0 without frequencies. Modes whose offset is fitted and not told
+  /// rms of y less the offset of its session, 1: error of the model in the frequencies, including
+  /// its nominal frequency; 0 without frequencies. Modes whose offset is fitted but not determined
   /// are not in it.
   double frequency_std = 0.0;
-  /// The same of one mode, 1; of those that are in it.
+  /// rms as above of each mode that is in it, 1.
   std::map<std::size_t, double> frequency_std_of_modes = {};
   /// Of the offsets but those of the first: √(mean δ²), 1; 0 of one session.
   double between_frequencies = 0.0;
@@ -53,18 +53,18 @@ struct SessionEffects {
   /// where either of the two has no frequency of the mode.
   [[nodiscard]] std::optional<std::pair<double, double>> told_offset(const std::string& name,
                                                                      std::size_t mode) const;
-  /// δ and its σ of modes whose offset is not told in a session, both 1: the mean of the n that
-  /// are with s√(1 + 1/n), s what they scatter by, or of one or two their rms; where none is, 0
-  /// with the offsets of the other sessions, rms. 0 and 0 where none were fitted.
+  /// δ and its σ of modes whose offset is not determined in a session, both 1: the mean of the n
+  /// that are with s√(1 + 1/n), s their scatter, or of one or two their rms; where none
+  /// is, 0 with the offsets of the other sessions, rms. 0 and 0 where none were fitted.
   [[nodiscard]] std::pair<double, double> offset_of_others(const std::string& name) const;
   /// rms of y of a mode, 1; of one without levels that of all.
   [[nodiscard]] double frequency_std_of(std::size_t mode) const;
-  /// The one or the other.
+  /// told_offset(), or else offset_of_others().
   [[nodiscard]] std::pair<double, double> offset_of(const std::string& name,
                                                     std::size_t mode) const;
 };
 
-/// A test whose frequencies of a mode are off those of the other tests of its session.
+/// A test whose frequencies of a mode differ from those of the other tests of its session.
 struct TestDifference {
   std::size_t test = 0;     ///< its number in the plan, from 0
   std::size_t mode = 1;     ///< from 1
@@ -72,10 +72,10 @@ struct TestDifference {
   double sigma = 0.0;       ///< its standard deviation, 1
 };
 
-/// Those that are off by more than three standard deviations, s√(1/n + 1/m) of n and m levels that
-/// scatter by s about the mean of their test, and by more than frequencies are read to. Levels
-/// count where the amplitudes of the test and of the others overlap, two of each at least: beyond,
-/// it may be the joint that is off.
+/// Tests that differ by more than three standard deviations, s√(1/n + 1/m) of n and m levels that
+/// scatter by s about the mean of their test, and by more than the resolution of frequencies.
+/// Levels count where the amplitudes of the test and of the others overlap, two of each at least:
+/// beyond, the joint may be in error.
 /// @param campaign  of the levels. @param levels  of its tests. @param effects  of the levels.
 [[nodiscard]] std::vector<TestDifference> differing_tests(const CampaignFile& campaign,
                                                           const CampaignLevels& levels,
@@ -88,13 +88,13 @@ struct TestDifference {
 /// @param state     of the structure; k of the joint is in its modes.
 /// @param joint     identified from the levels.
 /// @param linear_damping  β that was identified with it, J/m².
-/// @throws InputError  where offsets are asked for, and a level has no frequency, a frequency is
-///     off that of the first mode by more than a tenth, or no session has two levels.
+/// @throws InputError  where offsets are asked for, and a level has no frequency, a frequency
+///     differs from that of the first mode by more than a tenth, or no session has two levels.
 [[nodiscard]] SessionEffects session_effects(const CampaignFile& campaign,
                                              const CampaignLevels& levels, const StickState& state,
                                              const Joint& joint, double linear_damping);
 
-/// The same of levels whose f̂ and D̂ are known, of any number of modes.
+/// Effects as above for levels whose f̂ and D̂ are known, of any number of modes.
 /// @param campaign  of the levels. @param levels  of its tests.
 /// @param found  `frequency` and `dissipation` of each level; NaN where the level was not found.
 /// @throws InputError  where offsets are asked for, and no frequency tells them: no mode has levels

@@ -7,14 +7,14 @@
 #include <vector>
 
 /// @file
-/// What levels of a campaign scatter by, and when what they differ by is told. Internal to
+/// Scatter of the levels of a campaign, and thresholds for reporting differences. Internal to
 /// workflow.
 
 namespace microslip {
 
-/// Standard deviations that a difference is told from.
+/// Number of standard deviations from which a difference is reported.
 inline constexpr double kSignificant = 3.0;
-/// What a resonance is read to, relative.
+/// Resolution of a resonance, relative.
 inline constexpr double kLeastDifference = 1e-4;
 
 /// v̄; NaN of none.

@@ -113,7 +113,7 @@ CampaignRow peak_row(const ComparedTest& test, std::size_t number) {
   return row;
 }
 
-/// What the joint misses the force of a record by, relative to its rms.
+/// Error of the joint in the force of a record, relative to its rms.
 void add_record_row(const ComparedTest& test, std::size_t number, std::vector<CampaignRow>& rows) {
   const auto found = std::ranges::find(test.curves, "force_nrmse", &ComparedCurve::quantity);
   if (found == test.curves.end()) return;
@@ -151,7 +151,7 @@ std::vector<CampaignRow> rows_of(const DoneCampaign& done) {
   return rows;
 }
 
-/// What holds of a whole test, for tables with a row a level of it or the like.
+/// Values of a whole test, repeated in tables with one row per level of it.
 void add_test_columns(const CampaignFile& plan, const std::vector<std::size_t>& tests,
                       CsvWriter& table) {
   const auto add = [&](const std::string& name, const auto& text) {

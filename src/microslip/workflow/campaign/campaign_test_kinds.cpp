@@ -79,13 +79,13 @@ void require_file(const CampaignTest& test, const TestFile& file) {
                    "must be a file: a pipe can be read only once", "Write it to a file first.");
 }
 
-/// What only recordings have.
+/// Refuses keys that only recordings have.
 void check_recording_keys(const CampaignTest& test, TestContent content) {
   if (may_be_recording(content)) return;
   const auto refuse = [&](const char* key) {
     throw InputError(
         fmt::format("{}: {}", title_of(test), key), InputState{"given"},
-        fmt::format("belongs to recordings, and {} is {}", test.file, name_of(content)),
+        fmt::format("applies to recordings, and {} is {}", test.file, name_of(content)),
         "Leave it out.");
   };
   if (!test.sensors.empty()) refuse("sensors");
@@ -93,7 +93,7 @@ void check_recording_keys(const CampaignTest& test, TestContent content) {
   if (test.allow_truncated) refuse("allow_truncated");
 }
 
-/// What of a table that is given in place of levels of modes, or of a recording, is in the way;
+/// Reason why a table cannot be used as levels of modes, or as a recording;
 /// empty of what may be a recording.
 std::string why_no_recording(const TestFile& file) {
   if (!file.part.variable.empty()) return {};
@@ -104,7 +104,7 @@ std::string why_no_recording(const TestFile& file) {
   if (file.kind == kPathKind) {  // by its displacement alone
     const std::vector<std::string> columns = csv_column_names(head);
     const bool has_mode = std::ranges::find(columns, "mode") != columns.end();
-    return has_mode ? "tells no loss" : "lacks the column 'mode [1]'";
+    return has_mode ? "has no loss" : "lacks the column 'mode [1]'";
   }
   const KnownKind* const known = known_kind(file.kind);
   if (known == nullptr || known->is_recording) return {};
@@ -129,7 +129,7 @@ void check_predictable(const CampaignTest& test, TestContent content) {
       title_of(test), in_quotes(test.file),
       "must be stepped sines, modal levels, or a recording with its kind to be predicted",
       content == TestContent::kLevels
-          ? "Levels are what joints are identified from; leave_one_out predicts them."
+          ? "Levels are for identification; leave_one_out predicts them."
           : "Of a recording give kind = \"ringdown\", a free decay, or \"loops\", force and "
             "displacement of the joint. The subcommand verify predicts steady records of a rig.");
 }
@@ -141,17 +141,18 @@ void check_tells_of_modes(const CampaignTest& test, TestContent content) {
       title_of(test), in_quotes(test.file),
       fmt::format("must be levels of modes to identify a model from, and is {}", name_of(content)),
       content == TestContent::kLevels
-          ? "The subcommand identify finds a joint from its own levels, which the "
-            "model takes by its file."
+          ? "The subcommand identify identifies a joint from its own levels; the model refers to "
+            "its file."
           : "Give modal_levels.csv, or recordings: steady ones, or a free decay with "
             "kind = \"ringdown\". Stepped sines can be predicted.");
 }
 
 void check_identifiable(const CampaignTest& test, TestContent content) {
   if (content != TestContent::kModalLevels) return;
-  throw InputError(title_of(test), in_quotes(test.file),
-                   "must not be modal levels to identify from: they have no amplitude of the joint",
-                   "Give the recording that they are of, with kind = \"ringdown\", or levels.csv.");
+  throw InputError(
+      title_of(test), in_quotes(test.file),
+      "must not be modal levels to identify from: they have no amplitude of the joint",
+      "Give the recording from which they come, with kind = \"ringdown\", or levels.csv.");
 }
 
 // ---- Levels of a ring-down. ----
@@ -224,10 +225,9 @@ void drop_lossless(RingDownLevels& levels) {
   const std::size_t dropped = loss.size() - levels.amplitude.size();
   if (dropped == 0) return;
   levels.warnings.push_back(
-      {"linear_loss_exceeds_all",
-       fmt::format(
-           "{} levels are left out: the loss factors of the structure exceed all of theirs.",
-           dropped)});
+      {"linear_loss_exceeds_all", fmt::format("{} levels are left out: the loss factors of the "
+                                              "structure account for more than their total loss.",
+                                              dropped)});
 }
 
 /// Levels of the joint of those of the sensor, which have a modal mass of 1 kg.
@@ -244,7 +244,7 @@ void bring_to_joint(const StickState& state, std::span<const double> sensor, dou
   drop_lossless(levels);
 }
 
-/// What other modes do to the joint belongs to the levels of this one, too.
+/// Warnings on other modes at the joint belong to the levels of this one, too.
 void flag_modulated(const RingDownLevels& modal, RingDownLevels& levels) {
   for (std::size_t i = 0; i < levels.time.size(); ++i) {
     const auto same = std::ranges::find(modal.time, levels.time[i]) - modal.time.begin();
@@ -260,7 +260,7 @@ RingDownLevels joint_levels(const CampaignFile& campaign, const ModalDecay& mode
   bring_to_joint(state, sensor, campaign.stiffness, levels);
   if (levels.amplitude.empty()) {
     throw InputError("levels", fmt::format("a loss factor of {:.3g}", state.loss_factor[0]),
-                     "must leave some loss to the joint, and exceeds all that was measured",
+                     "must leave some loss to the joint, but exceeds all measured losses",
                      fmt::format("Check [damping] of {}.", campaign.structure));
   }
   flag_modulated(mode.levels, levels);
@@ -364,7 +364,7 @@ void check_campaign_test(const CampaignTest& test, const TestFile& file, Campaig
   if (!fits(test.kind, content)) {
     throw InputError(fmt::format("{}: kind", title_of(test)), in_quotes(to_string(test.kind)),
                      fmt::format("must be what {} is: {}", test.file, name_of(content)),
-                     "Leave it out where the file tells.");
+                     "Leave it out; the file determines it.");
   }
   check_recording_keys(test, content);
   const bool of_model = subject == CampaignSubject::kModel;

@@ -42,7 +42,7 @@ struct ReducedCampaignTest {
 /// rig with its joint stuck. A frequency of the rig that is wrong is taken for slip; of a rig of
 /// one mode the shape is fixed.
 /// @param campaign  whose structure and k count. @param number  of the test in it, from 0.
-/// @param command   of the comment in the table. @param progress  told of records; may cancel.
+/// @param command   of the comment in the table. @param progress  reports records; may cancel.
 /// @throws FileError, FormatError, InputError, Cancelled  as these; where all loss is that of the
 ///     rig without its joint.
 [[nodiscard]] ReducedCampaignTest reduce_campaign_test(const OpenedCampaign& campaign,
@@ -56,7 +56,7 @@ struct ReducedCampaignTest {
                                                     std::size_t number, const std::string& command,
                                                     const Progress& progress);
 
-/// What is wrong with a test names it: "test 'blow': sensor acc1=tip", without the marks of an
+/// Errors of a test name it: "test 'blow': sensor acc1=tip", without the marks of an
 /// option.
 template <typename Call>
 auto of_campaign_test(const CampaignTest& test, const Call& call) {

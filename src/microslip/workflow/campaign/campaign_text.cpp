@@ -12,7 +12,7 @@
 #include "microslip/workflow/text/summary_text.hpp"
 
 /// @file
-/// What a campaign says on the screen.
+/// Summary of a campaign.
 
 namespace microslip {
 namespace {
@@ -21,13 +21,13 @@ std::string describe_sessions(const SessionEffects& effects, bool of_model) {
   std::string text;
   for (const SessionEffect& session : effects.sessions) {
     std::string facts = fmt::format(
-        "{} of {}, D {:+.2g} % off the joint{}", counted(session.levels, "level"),
+        "{} of {}, D {:+.2g} % from the joint{}", counted(session.levels, "level"),
         counted(session.tests, "test"), 100.0 * session.dissipation_offset, of_model ? "s" : "");
     if (session.frequency_offset_std > 0.0) {
       facts += fmt::format(", frequency offset {:+.3f} ± {:.2g} %",
                            100.0 * session.frequency_offset, 100.0 * session.frequency_offset_std);
     } else if (session.frequency_difference != 0.0 && std::isfinite(session.frequency_difference)) {
-      facts += fmt::format(", frequency {:+.3f} % off, not taken off",
+      facts += fmt::format(", frequency offset {:+.3f} %, not corrected",
                            100.0 * session.frequency_difference);
     }
     text += line(of_model ? fmt::format("session {}, mode {}", session.name, session.mode)
@@ -35,18 +35,18 @@ std::string describe_sessions(const SessionEffects& effects, bool of_model) {
                  facts);
   }
   if (effects.frequency_std > 0.0) {
-    text += line("frequencies",
-                 fmt::format("{:.2g} % rms off those of the model", 100.0 * effects.frequency_std));
+    text += line("frequencies", fmt::format("rms deviation from the model {:.2g} %",
+                                            100.0 * effects.frequency_std));
   }
   const std::string repeats = repeatability_text(effects);
   return repeats.empty() ? text : text + line("repeatability", "of D: " + repeats);
 }
 
-/// Before the density, which is of no use then.
+/// Departures, before the density, which is of no use then.
 std::string describe_departures(const std::vector<Warning>& warnings) {
   std::string text;
   for (const Warning& warning : warnings) {
-    if (warning.code == kTestNotOfThisKind) text += line("NOT A JOINT", warning.text);
+    if (warning.code == kTestNotOfThisKind) text += line("NOT A MASING JOINT", warning.text);
   }
   return text;
 }
@@ -66,24 +66,24 @@ std::string describe_left_out(const std::vector<LeftOut>& parts) {
   std::size_t named = 0;
   for (const LeftOut& part : parts) {
     const std::string facts =
-        !part.failure.empty() ? "not compared: nothing was found without it"
+        !part.failure.empty() ? "not compared: no solution without it"
         : part.curve.compared() == 0
-            ? "beyond the others, which predict nothing there"
-            : fmt::format("D {:+.2g} % off what the others predict, {} of {} inside{}",
+            ? "beyond the others, which give no prediction there"
+            : fmt::format("D {:+.2g} % from the prediction of the others, {} of {} inside{}",
                           100.0 * std::expm1(part.mean_deviation()), part.curve.inside(),
                           part.curve.compared(),
                           part.contradicts()         ? ": CONTRADICTS THEM"
-                          : !part.not_judged.empty() ? ": not judged"
+                          : !part.not_judged.empty() ? ": not assessed"
                                                      : "");
     text += line(&part == parts.data() ? "left out" : "", part.name + ": " + facts);
     compared += part.not_judged.empty() && part.curve.compared() > 0 ? 1 : 0;
     named += part.contradicts() ? 1 : 0;
   }
   if (parts.empty()) return text;
-  if (compared == 0) return text + line("", "none of them is judged");
+  if (compared == 0) return text + line("", "none of them is assessed");
   const double chance = 1.0 - parts.front().taken.options.confidence;
-  return text + line("", fmt::format("{} of {} contradict the others, {:.2g} do by chance", named,
-                                     compared, chance * static_cast<double>(compared)));
+  return text + line("", fmt::format("{} of {} contradict the others, {:.2g} expected by chance",
+                                     named, compared, chance * static_cast<double>(compared)));
 }
 
 }  // namespace

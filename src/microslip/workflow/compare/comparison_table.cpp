@@ -44,9 +44,9 @@ std::string axis_of(const ComparedCurve& curve) {
 /// "39 of 41 inside, 39.0 expected"; empty without a band.
 std::string inside_text(const ComparedCurve& curve, double confidence) {
   if (!curve.has_band() || curve.compared() == 0) return "";
-  return fmt::format("{} of {} inside, {:.1f} expected; {:.3g} % of the draws have so few or fewer",
-                     curve.inside(), curve.compared(),
-                     confidence * static_cast<double>(curve.compared()), 100.0 * curve.chance);
+  return fmt::format("{} of {} inside, {:.1f} expected, p-value {:.3g} %", curve.inside(),
+                     curve.compared(), confidence * static_cast<double>(curve.compared()),
+                     100.0 * curve.chance);
 }
 
 /// Warnings of a test name it.
@@ -116,7 +116,7 @@ std::string whole_text(const ComparedCurve& curve) {
   return text;
 }
 
-/// What is at the peak stands behind what is along the curve, under a heading.
+/// Values at the peak follow those along the curve, under a heading.
 std::string describe_test(const ComparedTest& test) {
   std::string text = fmt::format("{}: {}\n", test.source, to_string(test.kind));
   const ComparedCurve* before = nullptr;
@@ -221,7 +221,7 @@ class ComparisonReader {
   std::vector<std::string> quantity_;
   std::vector<std::string> unit_;
   std::vector<std::string> axis_;
-  std::vector<std::vector<double>> numbers_;  // one a column of numbers
+  std::vector<std::vector<double>> numbers_;  // one per column of numbers
   std::vector<ComparedTest> tests_;
 };
 

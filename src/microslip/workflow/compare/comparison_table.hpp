@@ -13,7 +13,7 @@ namespace microslip {
 
 class CsvTable;
 
-/// The text of the table, a row a value: `source, kind, part, quantity, unit, axis, at, measured,
+/// Text of the table, one row per value: `source, kind, part, quantity, unit, axis, at, measured,
 /// measured_std, predicted, lower, upper, verdict`, in SI. Cells are empty where there is no value;
 /// `verdict` is `inside` or `outside` of the band, `not_found` where a value that was measured is
 /// not predicted, and empty where there is no band or nothing was measured. Its comments tell call

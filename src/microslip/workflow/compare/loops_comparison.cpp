@@ -139,9 +139,8 @@ std::vector<Warning> warnings_of(const LoopQuestion& question, const LoopJoint& 
     warnings.push_back(
         {"linear_damping_left_out",
          fmt::format(
-             "the joint was identified with a linear damping of {}, which is in its "
-             "dissipation and not in its force: a loss that does not depend on the rate has "
-             "no force along a path.",
+             "the joint was identified with a linear damping of {}, which is in its dissipation "
+             "but not in its force: a rate-independent loss has no force along a path.",
              damping_text(joint.linear_damping))});
   }
   if (const auto departs = departures_of(question.evidence())) warnings.push_back(*departs);
@@ -161,9 +160,9 @@ std::optional<Warning> departures_of(const RecordEvidence& evidence) {
   try {
     nearest = invert_records({&evidence, 1}, {}, {.draws = kFewDraws});
   } catch (const InputError& error) {
-    return Warning{"departures_unknown",
-                   fmt::format("whether the record is of a joint of this kind was not seen: {}",
-                               error.what())};
+    return Warning{
+        "departures_unknown",
+        fmt::format("whether the record is of a Masing joint was not tested: {}", error.what())};
   }
   std::string text;
   for (const RecordVerdict& verdict : nearest.records.front().verdicts) {
@@ -173,8 +172,8 @@ std::optional<Warning> departures_of(const RecordEvidence& evidence) {
   }
   if (text.empty()) return std::nullopt;
   return Warning{kTestNotOfThisKind,
-                 fmt::format("the record is NOT OF A JOINT OF THIS KIND, whatever its density: {}. "
-                             "No such joint predicts it.",
+                 fmt::format("the record is NOT OF A MASING JOINT under constant normal load, "
+                             "whatever its density: {}. No such joint predicts it.",
                              text)};
 }
 
@@ -186,8 +185,8 @@ ComparedTest compare_loops(const NamedForceRecord& record, const LoopJoint& join
     const LoopQuestion question(record.record);
     std::vector<double> force = question.force(joint);
     if (LoopQuestion::known(force) == 0) {
-      throw InputError("displacement", "a path that never turns back",
-                       "must turn back once at least: before, nobody knows which sliders slip",
+      throw InputError("displacement", "a path that never reverses",
+                       "must reverse at least once: before that, it is unknown which elements slip",
                        "Record a closed cycle.");
     }
     test.curves = curves_of(question.cycles());

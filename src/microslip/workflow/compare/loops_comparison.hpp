@@ -28,9 +28,9 @@ struct LoopJoint {
       {};  ///< kA of the largest cycle that it was identified from, N
 };
 
-/// What of a record no joint of the kind has, whatever its density: `test_not_of_this_kind` with
-/// the departures that invert_records() finds in it by itself, `departures_unknown` where it cannot
-/// be inverted; nothing where there is none.
+/// Departures of a record from a Masing joint under constant normal load, whatever its density:
+/// `test_not_of_this_kind` with those that invert_records() finds in it alone, `departures_unknown`
+/// where it cannot be inverted; nothing where there is none.
 [[nodiscard]] std::optional<Warning> departures_of(const RecordEvidence& evidence);
 
 /// Predicts the force of the joint on the path of a record, and the losses of its closed cycles
@@ -39,10 +39,10 @@ struct LoopJoint {
 ///     dissipation [J]           D(A) + βA² + cπ(2π/T)A², as a sine of that amplitude loses
 ///     secant_stiffness [N/m]    k_eq(A)
 ///
-/// over amplitude [m], and of the whole record, without a measured value beside them,
+/// over amplitude [m], and of the whole record, without a measured value,
 ///
 ///     force_nrmse [1]           rms(F − F_joint)/rms(F − mean F)
-///     force_noise [1]           the same of the noise that its samples have alone: no joint has
+///     force_noise [1]           that of the noise of its samples alone: no joint has
 ///                               less
 ///
 /// over the samples of which the state of the joint is known; F_joint as found_force(), with the

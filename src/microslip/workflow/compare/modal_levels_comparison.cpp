@@ -65,7 +65,7 @@ class ModeQuestion {
 
   [[nodiscard]] const std::vector<double>& displacement() const { return displacement_; }
 
-  /// What they may have been: as far from the readings as their noise has it, over the gain.
+  /// Possible true values: readings with their noise, over the gain.
   [[nodiscard]] std::vector<double> drawn_displacement(double gain, std::uint64_t seed,
                                                        std::size_t draw) const {
     // Apart from the streams of structures, joints and other readings.
@@ -224,7 +224,7 @@ std::vector<ComparedTest> compare_modal_levels(const std::string& source, const 
   }
   if (!tests.empty()) return tests;
   throw InputError(source, "no frequency, damping ratio or dissipation of all joints",
-                   "must hold one of them to be compared");
+                   "must contain one of them to be compared");
 }
 
 }  // namespace microslip

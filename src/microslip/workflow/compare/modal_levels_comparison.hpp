@@ -17,7 +17,7 @@
 
 namespace microslip {
 
-/// What followed modes in a decay, as levels.
+/// Modes tracked in a decay, as levels.
 [[nodiscard]] ModalLevels levels_of(const ReducedModalDecay& decay);
 
 /// Predicts the nonlinear mode (Forcing::kModal) at each displacement that was measured: frequency

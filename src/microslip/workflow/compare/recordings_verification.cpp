@@ -65,8 +65,9 @@ VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
   const auto read = [&](std::size_t i) {
     const std::string& path = options.recordings[i];
     if (is_stepped_sine(path)) {
-      throw InputError(path, "a stepped-sine table", "must be a steady record in time",
-                       "By a model.toml verify takes such tables; reduce makes levels of them.");
+      throw InputError(
+          path, "a stepped-sine table", "must be a steady record in time",
+          "verify compares such tables with a model.toml; reduce makes levels of them.");
     }
     return read_named_recordings(path, options.reading, verified.warnings[i]);
   };

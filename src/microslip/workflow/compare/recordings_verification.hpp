@@ -27,10 +27,10 @@ struct RecordingsDraws {
   std::string samples = {};                    ///< path of those of the joint; empty: none
   RigUncertainty rig = {};                     ///< how uncertain the rest is
   Execution execution = Execution::threads();  ///< of the draws
-  Progress progress = {};                      ///< told of those done; may cancel
+  Progress progress = {};                      ///< reports the number done; may cancel
 };
 
-/// What is to be verified, and how.
+/// Inputs and options of verify_recordings().
 struct RecordingsVerification {
   std::string rig;                        ///< path of rig.toml
   std::string joint;                      ///< path of joint.json
@@ -39,10 +39,10 @@ struct RecordingsVerification {
   RecordingReadOptions reading = {};      ///< of the recordings
   bool skip_faulty = false;               ///< leaves out what cannot be read or fitted
   std::optional<RecordingsDraws> draws = {};  ///< nothing: none
-  Progress progress = {};                     ///< told of the records
+  Progress progress = {};                     ///< reports the records
 };
 
-/// What came of it.
+/// Result of verify_recordings().
 struct VerifiedRecordings {
   std::vector<NamedInput> inputs;              ///< rig and joint, as read
   std::size_t files;                           ///< of recordings
@@ -61,7 +61,7 @@ struct VerifiedRecordings {
 
 /// The tables that are written; "-" is standard output, an empty path none.
 struct VerificationTables {
-  std::string table;      ///< a row a record and channel
+  std::string table;      ///< one row per record and channel
   std::string harmonics;  ///< of each channel
   std::string histories;  ///< a few cycles of each channel
 };

@@ -80,14 +80,14 @@ class SweepQuestion {
       if (found.steps.back()) before = &*found.steps.back();
     }
     if (!of_force_) found.peak = found.at_response;
-    if (of_force_ && resonant != nullptr) {  // from there: at a force there may be no other way
+    if (of_force_ && resonant != nullptr) {  // at constant force there may be no other path
       found.peak = vibration_near(balance, kPhaseResonance, kept(peak_, gain), std::array{resonant},
                                   mode_, found.failure);
     }
     return found;
   }
 
-  /// What would be read of them. @param damping_scale  c, N⁻¹ s⁻².
+  /// Values as they would be measured. @param damping_scale  c, N⁻¹ s⁻².
   [[nodiscard]] TestPrediction readings(const SweptVibrations& found, double gain,
                                         double damping_scale) const {
     TestPrediction prediction{.failure = found.failure};
@@ -229,13 +229,13 @@ std::optional<Warning> mode_warning(const SweepQuestion& question, const SweptVi
       "no_mode_in_sweep",
       fmt::format("the model has no resonance at the steps of the sweep, {:.6g} to {:.6g} Hz; its "
                   "nearest mode has {:.6g} Hz with stuck joints. Away from resonances a sweep "
-                  "tells stiffness and mass, and hardly anything of joints. Is it a sweep of this "
-                  "structure, and are its modes all in the model?",
+                  "shows stiffness and mass, and hardly anything of joints. Is it a sweep of this "
+                  "structure, and does the model contain all its modes?",
                   first.angular_frequency / kRadPerCycle, last.angular_frequency / kRadPerCycle,
                   nearest)};
 }
 
-/// What the model says of such motions, and what the sweep lacks.
+/// Warnings of the model on such motions, and on what the sweep lacks.
 std::vector<Warning> warnings_of(const SweepQuestion& question, const SweptVibrations& nominal,
                                  const HarmonicBalance& balance, const ModelFile& model) {
   ResponseCurve curve;
@@ -270,8 +270,8 @@ double unevenness(const std::vector<double>& values) {
 
 TestKind kind_of(const SteppedSine& sweep) {
   check_stepped_sine(sweep);
-  const bool held = unevenness(sweep.acceleration) < unevenness(sweep.force);
-  return held ? TestKind::kConstantResponse : TestKind::kSweep;
+  const bool constant_response = unevenness(sweep.acceleration) < unevenness(sweep.force);
+  return constant_response ? TestKind::kConstantResponse : TestKind::kSweep;
 }
 
 ComparedTest compare_sweep(const SteppedSine& sweep, TestKind kind, const ModelFile& model,

@@ -14,14 +14,14 @@
 
 namespace microslip {
 
-/// kSweep or kConstantResponse: whichever of force and acceleration was held better, by the ratio
-/// of its largest to its smallest value. @throws InputError  as check_stepped_sine().
+/// kSweep or kConstantResponse: whichever of force and acceleration was kept more constant, by the
+/// ratio of its largest to its smallest value. @throws InputError  as check_stepped_sine().
 [[nodiscard]] TestKind kind_of(const SteppedSine& sweep);
 
 /// Predicts each step of a sweep at the frequency that it had and, of kSweep, at the force that was
-/// measured there, of kConstantResponse at the response; so that a force that was not held, as
-/// about a resonance, is no error of the prediction. Curves, with X = a/ω² the displacement of what
-/// was measured:
+/// measured there, of kConstantResponse at the response; so that a force that varied, as about a
+/// resonance, is no error of the prediction. Curves, with X = a/ω² the displacement of what was
+/// measured:
 ///
 ///     displacement [m], or force [N]     over the frequency, of the steps
 ///     phase_lag [rad]                    of the displacement behind the force, in [0, π]

@@ -41,7 +41,7 @@ double noise_scale(std::size_t freedom, RandomStream& random) {
   return std::sqrt(static_cast<double>(freedom) / squares);
 }
 
-/// What would be read of a draw.
+/// Values of a draw as they would be measured.
 std::vector<double> with_noise(std::vector<double> values, const ComparedTest& test,
                                std::uint64_t seed, std::size_t draw) {
   RandomStream random(seed, kNoiseStreams + draw);
@@ -92,8 +92,8 @@ void add_few_draws(const DrawsTaken& taken, std::vector<Warning>& warnings) {
   if (beyond >= kFewBeyond) return;
   warnings.push_back(
       {"draws_few",
-       fmt::format("{:.2g} draws lie beyond each edge of the bands, so that the edges "
-                   "are not sharp: take {:.0f} draws or more.",
+       fmt::format("only {:.2g} draws lie beyond each edge of the bands, so that the edges are "
+                   "inaccurate: use {:.0f} draws or more.",
                    beyond, std::ceil(2.0 * kFewBeyond / (1.0 - taken.options.confidence)))});
 }
 
@@ -107,9 +107,8 @@ void add_few_inside(const ComparedTest& test, std::vector<Warning>& warnings) {
     warnings.push_back(
         {"few_inside",
          fmt::format(
-             "{} of {} values of {} lie inside of the band, where {:.1f} are expected; "
-             "{:.2g} % of the draws have so few. What is uncertain does not cover the test: "
-             "the model, its spread or the test is another.",
+             "{} of {} values of {} lie inside the band, {:.1f} are expected; p-value {:.2g} %. "
+             "The uncertainty does not cover the test: check the model, its spread and the test.",
              curve.inside(), curve.compared(), name_of(curve),
              confidence * static_cast<double>(curve.compared()), 100.0 * curve.chance)});
   }

@@ -25,12 +25,12 @@ namespace microslip {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 
-/// What a test is, and so what of it is given to the model.
+/// Kind of a test, which determines the inputs of the model.
 enum class TestKind {
   kSweep,             ///< frequency and force of each step; the response is predicted
   kConstantResponse,  ///< frequency and response of each step; the force is predicted
   kRingDown,     ///< the amplitude of a mode in a decay; its frequency and losses are predicted
-  kModalLevels,  ///< the same of levels in a table, which do not tell what drove them
+  kModalLevels,  ///< as kRingDown, of levels in a table, whose excitation is not known
   kLoops,        ///< the path of a joint; its force, and the losses of its cycles
 };
 
@@ -50,7 +50,7 @@ enum class TestPart {
 /// "curve", "peak", "record".
 [[nodiscard]] std::string_view to_string(TestPart part);
 
-/// One quantity of a test. Vectors have one entry a value, or none where it is said so; NaN where
+/// One quantity of a test. Vectors have one entry per value, or none where stated; NaN where
 /// there is none.
 struct ComparedCurve {
   std::string quantity;                   ///< "displacement"
@@ -66,9 +66,9 @@ struct ComparedCurve {
   std::size_t std_freedom = 0;
   std::vector<double> predicted = {};  ///< by the model as it is; NaN where it was not found
   std::vector<double> lower = {};      ///< of the draws; empty without
-  std::vector<double> upper = {};      ///< likewise
-  /// Share of the draws of which so few values, or fewer, lie in the band as of what was measured,
-  /// 1: small where the test is none of those that the draws foresee. NaN without a band.
+  std::vector<double> upper = {};      ///< as above
+  /// p-value: share of the draws of which as few values, or fewer, lie in the band as of the
+  /// measured ones, 1. NaN without a band.
   double chance = std::numeric_limits<double>::quiet_NaN();
 
   /// The number of values.
@@ -108,10 +108,10 @@ struct ComparedTest {
   TestKind kind = TestKind::kSweep;        ///< what is given and what is predicted
   std::vector<ComparedCurve> curves = {};  ///< one a quantity and part
   ComparedLoop loop = {};                  ///< of kLoops; else empty
-  std::string note = {};     ///< how its columns were taken; empty where nothing is to be said
-  std::string failure = {};  ///< why a value was not found; empty where all were
-  std::optional<DrawsTaken> taken = {};  ///< what became of the draws
-  std::vector<Warning> warnings = {};    ///< what must be known of it
+  std::string note = {};                   ///< interpretation of its columns; may be empty
+  std::string failure = {};                ///< why a value was not found; empty where all were
+  std::optional<DrawsTaken> taken = {};    ///< what became of the draws
+  std::vector<Warning> warnings = {};      ///< what must be known of it
 
   /// Whether all values were found, and enough of the draws.
   [[nodiscard]] bool converged() const;
@@ -119,7 +119,7 @@ struct ComparedTest {
   [[nodiscard]] std::size_t size() const;
 };
 
-/// What a model gives for the values of a test, curve after curve.
+/// Prediction of a model for the values of a test, curve after curve.
 struct TestPrediction {
   std::vector<double> values = {};  ///< NaN where one was not found
   std::string failure = {};         ///< why; empty where all were found
@@ -136,7 +136,7 @@ struct TestPredictor {
 struct TestDraws {
   DrawOptions options = {};                    ///< which of them
   Execution execution = Execution::threads();  ///< of the draws
-  Progress progress = {};                      ///< told of those done; may cancel
+  Progress progress = {};                      ///< reports the number done; may cancel
 };
 
 /// Fills in what is predicted, and the bands: of what would be read, the draw of the model and,

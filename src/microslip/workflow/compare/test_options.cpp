@@ -52,7 +52,7 @@ class GivenOption {
   void require(std::span<const ReadTest> read, const Uses& uses, std::string_view users) const {
     if (std::ranges::any_of(read, uses)) return;
     refuse(
-        fmt::format("changes nothing: it is for {}, and the tests are {}", users, words_of(read)),
+        fmt::format("has no effect: it applies to {}, and the tests are {}", users, words_of(read)),
         "Leave it out.");
   }
 
@@ -96,7 +96,7 @@ void check_ring_down_options(const TestReading& reading, std::span<const ReadTes
              std::ranges::count(std::get<ModalLevels>(test.content).mode, mode - 1) > 0;
     };
     if (!std::ranges::any_of(read, has_it)) {
-      option.refuse("changes nothing: no test has this mode", "Leave it out, or name its test.");
+      option.refuse("has no effect: no test has this mode", "Leave it out, or name its test.");
     }
   }
 }
@@ -125,11 +125,11 @@ void check_predictor_options(const TestsVerification& options, bool alone) {
   constexpr std::string_view kLeave = "Leave it out.";
   if (alone && !options.joint.empty()) {
     GivenOption("`joint`", options.joint)
-        .refuse("must not be given with a joint.json, which is a joint by itself", kLeave);
+        .refuse("must not be given with a joint.json, which is a single joint", kLeave);
   }
   if (alone) return;
   constexpr std::string_view kSaid =
-      "must not be given with a model.toml, which says what is uncertain of it";
+      "must not be given with a model.toml, which specifies its uncertainty";
   if (!options.uncertain.samples.empty()) {
     GivenOption("`samples`", options.uncertain.samples)
         .refuse(kSaid, "Name the draws by the key samples of its [[joint]].");

@@ -25,7 +25,7 @@ namespace microslip {
 /// @throws InputError  naming the first that no test uses, what it is for, and what the tests are.
 void check_test_options(const TestsVerification& options, std::span<const ReadTest> read);
 
-/// Whatever the tests are: a joint by itself has no use for the name of one, nor a model for what
+/// Checks independent of the tests: a single joint does not use the name of one, nor a model what
 /// is uncertain, which it says in its file.
 /// @param alone  whether a joint by itself predicts. @throws InputError  naming the option.
 void check_predictor_options(const TestsVerification& options, bool alone);

@@ -29,7 +29,7 @@ void require_test(const TestFile& file, const std::string& model_path) {
   if (file.content != TestContent::kLevels && file.content != TestContent::kOther) return;
   throw InputError(file.path, known_kind(file.kind)->words,
                    "must be a test: a stepped-sine table, modal levels, or a recording",
-                   fmt::format("What predicts comes first, and that is {} here.", model_path));
+                   fmt::format("Name the predicting file first; {} was taken as it.", model_path));
 }
 
 bool has_loops(const std::vector<Recording>& recordings) {
@@ -90,9 +90,9 @@ void require_file(const TestFile& file) {
 
 void require_model(const ModelFile* model, const std::string& path, const std::string& test) {
   if (model != nullptr) return;
-  throw InputError(path, "a joint by itself",
+  throw InputError(path, "a single joint",
                    fmt::format("must be a model.toml for {}, a test of a structure", test),
-                   "A joint by itself predicts records of its force and displacement.");
+                   "A single joint predicts only records of its force and displacement.");
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ struct ReadTest {
 ///     that is asked for, is a pipe, or a joint by itself is to predict a structure.
 [[nodiscard]] ReadTest read_test(const std::string& path, const ModelFile* model,
                                  const std::string& model_path, const TestReading& options);
-/// The same of a file that was opened before.
+/// As above, of a file that was opened before.
 [[nodiscard]] ReadTest read_test(const TestFile& file, const ModelFile* model,
                                  const std::string& model_path, const TestReading& options);
 

@@ -107,8 +107,7 @@ void add_joint_warnings(const std::string& path, const JointFile& file,
   if (!broken.empty()) {
     warnings.push_back(
         {"joint_not_of_this_kind",
-         fmt::format("{} was identified as NOT A JOINT OF THIS KIND: {}. It is the joint of the "
-                     "kind that is nearest.",
+         fmt::format("{} was identified as NOT A MASING JOINT: {}. It is the closest such joint.",
                      path, fmt::join(broken, ", "))});
   }
   const std::string status = text_in(file.identification, "status").value_or("");
@@ -163,10 +162,10 @@ class JointPrediction {
     if (options.draws) draws_ = draws_of(file_, options.uncertain, *options.draws);
     add_joint_warnings(input_name(input.path), file_, warnings_);
     if (!draws_ || joint_.viscous == 0.0) return;
-    warnings_.push_back({"viscous_not_drawn",
-                         fmt::format("all draws have the viscous part of {}, {:.4g} N s/m: the "
-                                     "bands are too narrow by what it is uncertain.",
-                                     input_name(input.path), joint_.viscous)});
+    warnings_.push_back(
+        {"viscous_not_drawn", fmt::format("all draws have the viscous part of {}, {:.4g} N s/m: "
+                                          "the bands do not include its uncertainty.",
+                                          input_name(input.path), joint_.viscous)});
   }
 
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }

@@ -38,13 +38,13 @@ namespace microslip {
                                                      const std::string& joint = {},
                                                      Forcing forcing = Forcing::kModal);
 
-/// What the identification of a joint said against it: `joint_not_of_this_kind` for a verdict,
+/// Objections to a joint from its identification: `joint_not_of_this_kind` for a verdict,
 /// `joint_not_converged`.
 /// @param path  of the joint. @param file  joint.json. @param warnings  get them behind theirs.
 void add_joint_warnings(const std::string& path, const JointFile& file,
                         std::vector<Warning>& warnings);
 
-/// What came of it.
+/// Result of verify_tests().
 struct VerifiedTests {
   std::string heading;                   ///< provenance: call, hashes of the inputs
   std::vector<ComparedTest> tests = {};  ///< one or more, in the order of the files
@@ -60,7 +60,7 @@ struct VerifiedTests {
 /// with a verdict against it (`joint_not_of_this_kind`), or without convergence
 /// (`joint_not_converged`), are among the others; `same_content` where two files hold the same.
 /// @param options  see TestsVerification.
-/// @param command  that is told in the heading.
+/// @param command  for the heading.
 /// @throws FileError, FormatError, InputError  as read_test(), read_model(), read_joint(),
 ///     compare_sweep(), compare_modal_levels(), compare_loops(), draws_of(); where a file is given
 ///     twice, or a part of it beside the whole; naming an option that no test uses.

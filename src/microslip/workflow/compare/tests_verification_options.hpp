@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// What is to be compared, and how.
+/// Inputs and options of verify_tests().
 struct TestsVerification {
   std::string model;                    ///< path of model.toml, or of joint.json for loops
   std::vector<std::string> tests = {};  ///< paths
@@ -26,7 +26,7 @@ struct TestsVerification {
   /// Of a joint by itself; a model says in its file what is uncertain.
   JointUncertainty uncertain = {};
   Execution execution = Execution::threads();  ///< of the draws
-  Progress progress = {};                      ///< told of the draws of all tests; may cancel
+  Progress progress = {};                      ///< reports the draws of all tests; may cancel
 };
 
 }  // namespace microslip

@@ -68,7 +68,7 @@ class RecordQuestion {
     const std::string reason = ask(balance_, 1.0, 1.0, values);
     if (reason.empty()) return values;
     throw InputError(fmt::format("{}: prediction", record_.recorded.source), "none",
-                     fmt::format("must be there for draws to lie about it: {}", reason),
+                     fmt::format("must converge before draws are compared with it: {}", reason),
                      "Leave the record out.");
   }
 
@@ -92,8 +92,7 @@ class RecordQuestion {
     if (!there.summary.converged()) return fmt::format("{}: {}", source, there.summary.reason);
     const std::optional<PredictedPeak> peak = predict_peak(balance, setting, there.vibration);
     if (!peak) {
-      return fmt::format("{}: it has the recorded phase nowhere near the recorded frequency",
-                         source);
+      return fmt::format("{}: no frequency near the recorded one has the recorded phase", source);
     }
     values = {gain * peak->response, peak->frequency,
               (sees_joint_ ? 1.0 : gain) * there.level.amplitude,
@@ -147,11 +146,12 @@ VerificationSpread verification_spread(const Verifier& verifier,
   VerificationSpread spread;
   spread.uncertain = text_of(rig, joint.count > 0);
   if (spread.uncertain.empty()) {
-    throw InputError("what is uncertain", "nothing", "must be something that draws can vary",
+    throw InputError("uncertainty", "none", "must include a parameter that the draws can vary",
                      "Give `samples` of the joint, `normal_load_std`, `frequency_std`, "
                      "`loss_factor_std`, `force_gain_std` or `acceleration_gain_std`.");
   }
-  if (records.empty()) throw InputError("records", 0, "must be there to be held against draws");
+  if (records.empty())
+    throw InputError("records", 0, "must be 1 or more to be compared with draws");
   const std::size_t modes = verifier.reducer().state().modes();
   const StructureSpread numbers{.frequency = std::vector<double>(modes, rig.frequency),
                                 .loss_factor = std::vector<double>(modes, rig.loss_factor),
@@ -215,7 +215,7 @@ void add_checked(const VerificationSpread& spread, const std::vector<Verificatio
 
 std::string checked_comment(const VerificationSpread& spread) {
   return draws_comment(spread.taken, spread.uncertain) +
-         "\ninside of the draws: " + inside_text(spread);
+         "\ninside the band of the draws: " + inside_text(spread);
 }
 
 std::string describe_checked(const VerificationSpread& spread) {

@@ -20,18 +20,18 @@ namespace microslip {
 /// How uncertain the rig of a verification is: relative standard deviations, as of StructureSpread.
 struct RigUncertainty {
   double frequency = 0.0;          ///< of each mode by itself
-  double loss_factor = 0.0;        ///< likewise
+  double loss_factor = 0.0;        ///< as above
   double normal_load = 0.0;        ///< of what scales the slip forces
   double force_gain = 0.0;         ///< of the reading of the force
   double acceleration_gain = 0.0;  ///< of the readings of all accelerometers alike
 };
 
-/// What was measured, what is predicted, and between which values the draws lie.
+/// Measured and predicted values, and the band of the draws.
 struct CheckedValue {
   double recorded = 0.0;   ///< of the record
   double predicted = 0.0;  ///< by the joint itself
   double lower = 0.0;      ///< of the draws
-  double upper = 0.0;      ///< likewise
+  double upper = 0.0;      ///< as above
 
   /// Whether what was measured lies between them.
   [[nodiscard]] bool inside() const { return recorded >= lower && recorded <= upper; }
@@ -45,7 +45,7 @@ struct CheckedRecord {
   CheckedValue input_energy;  ///< W_ext of the same, J
 };
 
-/// What draws make of a verification.
+/// Results of the draws of a verification.
 struct VerificationSpread {
   std::vector<CheckedRecord> records;  ///< in the order of the records
   DrawsTaken taken;                    ///< what became of the draws
@@ -70,7 +70,7 @@ struct VerificationSpread {
 /// @param rig        how uncertain the rest is.
 /// @param options    which draws, and the confidence.
 /// @param execution  of the draws.
-/// @param progress   told of the draws done; may cancel.
+/// @param progress   reports the draws done; may cancel.
 /// @throws InputError  as DrawOptions::check(); where nothing is uncertain, no record is there, one
 ///                     did not converge or has no peak by the joint itself, or all draws failed.
 /// @throws Cancelled   as progress says.
@@ -85,7 +85,7 @@ struct VerificationSpread {
 /// `joint_amplitude_inside [1]`, `input_energy_inside [1]`: 1 where what was measured lies between.
 /// @param spread   of the records.
 /// @param records  of the table.
-/// @param table    with a row a record and channel.
+/// @param table    with one row per record and channel.
 void add_checked(const VerificationSpread& spread, const std::vector<Verification>& records,
                  CsvWriter& table);
 

@@ -34,7 +34,7 @@ std::string describe_model(const Verifier& verifier) {
     text += line("linear damping", damping_text(options.linear_damping) + ", as identified");
   }
   text += line("force", options.sine ? "a pure sine" : "with its recorded harmonics");
-  return text + line("given to the model", "frequency, and first harmonic of the drive point");
+  return text + line("input to the model", "frequency, and first harmonic of the drive point");
 }
 
 std::string header(const Verification& first) {
@@ -100,7 +100,7 @@ std::string describe_troubles(const VerificationBatch& batch) {
   for (const RejectedRecord& record : batch.rejected) {
     text += fmt::format("  Left out: {}\n", record.reason);
   }
-  return text.empty() ? text : "\nTo be looked at\n" + text;
+  return text.empty() ? text : "\nTo be checked\n" + text;
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ std::string describe_verification(const Verifier& verifier, const VerificationBa
   for (const Verification& record : batch.records) text += describe_record(record);
   text +=
       "\n  Δf  resonance of the model above that of the record, by the phase of the force"
-      "\n  ΔW  energy input a cycle, predicted over recorded, less 1"
+      "\n  ΔW  energy input per cycle, predicted over recorded, minus 1"
       "\n  NRMSE  rms(recorded − predicted)/rms(recorded), without means\n\n";
   return text + describe_worst(batch.records) + describe_troubles(batch);
 }

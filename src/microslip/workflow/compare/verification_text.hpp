@@ -10,12 +10,12 @@
 
 namespace microslip {
 
-/// A verification as text for a person: how it was done, a line a record, the worst of each
+/// Summary of a verification: how it was done, one line per record, the worst of each
 /// channel, and what is to be looked at.
 [[nodiscard]] std::string describe_verification(const Verifier& verifier,
                                                 const VerificationBatch& batch);
 
-/// What of it is to be looked at, for the files: what did not converge, each kind of warning and
+/// Points to be checked, for the files: what did not converge, each kind of warning and
 /// flag once, what was left out.
 [[nodiscard]] std::vector<Warning> verification_warnings(const VerificationBatch& batch);
 

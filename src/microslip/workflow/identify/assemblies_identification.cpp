@@ -142,18 +142,18 @@ std::string describe_assemblies(const AssembliesIdentification& options,
   for (std::size_t j = 0; j < found.assemblies.size(); ++j) {
     text += describe_assembly(found.assemblies[j], done.read.count[j]);
   }
-  text +=
-      line("middle", fmt::format("k {:.5g} N/m, {} of it slips up to {:.3g} N", found.stiffness,
-                                 percent_text(1.0 - found.joint().density().elastic_remainder()),
-                                 found.covered_to));
+  text += line("mean assembly",
+               fmt::format("k {:.5g} N/m, slipping fraction {} up to {:.3g} N", found.stiffness,
+                           percent_text(1.0 - found.joint().density().elastic_remainder()),
+                           found.covered_to));
   if (found.stiffness_spread) text += assembly_spread_line("spread of k", *found.stiffness_spread);
-  text += assembly_spread_line("of slip forces", found.slip_force_spread) +
-          assembly_spread_line("of shapes", found.shape_spread) +
-          line("next", fmt::format("{} of it in {}", counted(found.draws.size(), "draw"),
-                                   assemblies_file(options, "joint_samples.h5")));
+  text += assembly_spread_line("spread of slip force", found.slip_force_spread) +
+          assembly_spread_line("spread of shape", found.shape_spread) +
+          line("next assembly", fmt::format("{} in {}", counted(found.draws.size(), "draw"),
+                                            assemblies_file(options, "joint_samples.h5")));
   text += line("", found.scatter_is_relative
                        ? fmt::format("D scatters by {}", percent_text(found.scatter))
-                       : fmt::format("D scatters by {:.2f} of the standard deviations given",
+                       : fmt::format("D scatters by {:.2f} times the given standard deviations",
                                      found.scatter));
   return text + describe_warnings(found.warnings);
 }

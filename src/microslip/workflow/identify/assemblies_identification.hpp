@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// What is to be identified, and how.
+/// Inputs and options of identify_read_assemblies().
 struct AssembliesIdentification {
   std::vector<std::string> levels = {};     ///< paths of levels.csv
   AssembliesBy by = AssembliesBy::kColumn;  ///< what tells assemblies apart
@@ -25,7 +25,7 @@ struct AssembliesIdentification {
   std::string command = {};              ///< that the files are made by
 };
 
-/// What came of it.
+/// Result of identify_read_assemblies().
 struct IdentifiedAssemblies {
   AssemblyLevels read = {};            ///< the levels
   AssembliesResult found = {};         ///< with warnings of the files, too

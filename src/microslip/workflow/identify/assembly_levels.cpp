@@ -37,11 +37,12 @@ void check_assembly_name(const std::string& file, const std::string& name) {
                       !name.starts_with('.') && printable(name) == name;
   const bool taken = name == kCommonDensity || name == kNextAssembly;
   if (usable && !taken) return;
-  throw InputError(fmt::format("{}: name of an assembly", file), in_quotes(name),
-                   taken ? "must not be what the middle or the next one is called in densities.csv"
-                         : "must be usable in the name of a file: without / and not beginning with "
-                           "a point",
-                   "Rename it.");
+  throw InputError(
+      fmt::format("{}: name of an assembly", file), in_quotes(name),
+      taken ? "must not be a name that densities.csv uses for the mean or the next assembly"
+            : "must be usable in the name of a file: without / and not beginning with "
+              "a point",
+      "Rename it.");
 }
 
 GatheredAssembly& gathered_assembly(const std::string& name, const std::string& file,
@@ -75,8 +76,8 @@ void add_assembly_table(const LevelsFile& file, AssembliesBy by,
                         std::vector<GatheredAssembly>& all) {
   if (by == AssembliesBy::kFiles && !file.assembly.empty()) {
     throw InputError(fmt::format("{}: column assembly", printable(file.file)), InputState{"given"},
-                     "is needless where each file is an assembly",
-                     "`assemblies column` goes by it.");
+                     "is not needed where each file is an assembly",
+                     "`assemblies column` uses it.");
   }
   if (by == AssembliesBy::kColumn && file.assembly.empty()) {
     throw InputError(fmt::format("{}: column assembly", printable(file.file)),
@@ -86,7 +87,7 @@ void add_assembly_table(const LevelsFile& file, AssembliesBy by,
   const std::string stem = std::filesystem::path(file.file).stem().string();
   if (by == AssembliesBy::kFiles &&
       std::ranges::find(all, stem, &GatheredAssembly::name) != all.end()) {
-    throw InputError("name of an assembly", in_quotes(stem), "is that of two files",
+    throw InputError("name of an assembly", in_quotes(stem), "is shared by two files",
                      "Name the files differently.");
   }
   for (std::size_t row = 0; row < file.levels.size(); ++row) {

@@ -21,7 +21,7 @@ inline constexpr std::string_view kCommonDensity = "common";
 /// How densities.csv calls the assembly that comes next. No assembly is called so.
 inline constexpr std::string_view kNextAssembly = "next";
 
-/// What tells the assemblies apart.
+/// Key that distinguishes the assemblies.
 enum class AssembliesBy {
   kColumn,  ///< the column `assembly` of the files
   kFiles,   ///< each file is one, called as the file is

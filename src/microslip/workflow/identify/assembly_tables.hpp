@@ -14,10 +14,10 @@
 
 namespace microslip {
 
-/// What joint.json of the middle says: spreads, assumptions, warnings.
+/// Record for joint.json of the mean assembly: spreads, assumptions, warnings.
 [[nodiscard]] NamedValues record_of_assemblies(const AssembliesResult& found);
 
-/// What the joint.json of one assembly says. @param assembly  from 0.
+/// Record for the joint.json of one assembly. @param assembly  from 0.
 [[nodiscard]] NamedValues record_of_assembly(const AssembliesResult& found, std::size_t assembly);
 
 /// assemblies.csv: a row each.

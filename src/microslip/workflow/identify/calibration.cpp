@@ -52,7 +52,7 @@ void check_file_name(const std::string& model, const std::string& joint) {
 }
 
 /// dissipation_lower_x of calibration.csv is of the band of x, or the loss of a joint lower_x:
-/// nobody could tell.
+/// ambiguous.
 void check_column_name(const std::string& model, const std::string& joint) {
   if (!joint.starts_with("lower_") && !joint.starts_with("upper_")) return;
   throw InputError(fmt::format("{}: name of a joint", input_name(model)), in_quotes(joint),
@@ -140,10 +140,10 @@ std::string describe_joint(const CalibratedJoint& joint) {
   const double k = joint.joint.stiffness();
   std::string text =
       line("joint", joint.name) +
-      line("", fmt::format("k {:.5g} N/m, {} of it slips up to {:.3g} N", k,
+      line("", fmt::format("k {:.5g} N/m, slipping fraction {} up to {:.3g} N", k,
                            percent_text(1.0 - joint.joint.density().elastic_remainder()),
                            k * joint.largest_amplitude)) +
-      line("", fmt::format("the levels took {} of what was not known of its density at most",
+      line("", fmt::format("variance reduction of its density up to {}",
                            percent_text(std::ranges::max(joint.told)))) +
       describe_edges(joint);
   return text;

@@ -20,7 +20,7 @@
 
 namespace microslip {
 
-/// What is to be found, and how.
+/// Inputs and options of calibrate_model().
 struct ModelCalibration {
   std::string model;                ///< path of model.toml
   std::vector<std::string> levels;  ///< paths of modal_levels.csv
@@ -37,7 +37,7 @@ struct ResultFile {
   std::string content = {};  ///< all of it
 };
 
-/// What came of it.
+/// Result of calibrate_model().
 struct CalibratedModel {
   ModelFile model;                  ///< as read
   std::vector<InputHash> inputs{};  ///< model and levels
@@ -57,7 +57,7 @@ struct CalibratedModel {
 /// @throws FileError, FormatError, InputError  as read_model(); where no joint is to be found,
 ///     loads always act, or the name of a joint is none of a file or a column.
 [[nodiscard]] ModelFile read_model_to_calibrate(const std::string& path);
-/// The same of a text. @throws FormatError, InputError  as read_model_to_calibrate().
+/// As above, from its text. @throws FormatError, InputError  as read_model_to_calibrate().
 [[nodiscard]] ModelFile model_to_calibrate(const NamedInput& input);
 
 /// The names of the joints of a model, in its order.
@@ -94,7 +94,7 @@ void compose_calibration(const ModelCalibration& options, const ModalLevels& lev
 /// @throws FileError, FormatError, InputError  as read_model(); for a joint whose name is no name
 ///                                             of a file.
 [[nodiscard]] std::vector<ResultFile> planned_files(const ModelCalibration& options);
-/// The same of a model that was read before.
+/// As above, of a model that was read before.
 [[nodiscard]] std::vector<ResultFile> planned_files(const ModelCalibration& options,
                                                     const ModelFile& model);
 

@@ -77,7 +77,7 @@ void add_joints_to(NamedValues& record, const CalibrationResult& found) {
       [](const Joint& joint) { return joint.joint.stiffness() * joint.largest_amplitude; });
 }
 
-/// What was sought of edges, and edge by edge those of all joints.
+/// Search for edges, and edge by edge those of all joints.
 void add_edges_to(NamedValues& record, const CalibrationResult& found) {
   std::vector<std::string> names;
   std::vector<double> force;

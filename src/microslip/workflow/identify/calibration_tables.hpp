@@ -6,7 +6,7 @@
 #include "microslip/io/config/named_values.hpp"
 
 /// @file
-/// What calibrate() found as tables, and as what a joint.json says of its identification. Internal
+/// Results of calibrate() as tables, and as the identification of a joint.json. Internal
 /// to workflow.
 
 namespace microslip {
@@ -15,11 +15,11 @@ namespace microslip {
 [[nodiscard]] CsvWriter calibration_table(const CalibrationResult& found, const ModalLevels& levels,
                                           const std::vector<std::string>& joints);
 
-/// identifiability.csv: of each joint that was found, over slip force, density with band, and what
-/// the levels told of it.
+/// identifiability.csv: of each joint that was found, over slip force, density with band, and
+/// its variance reduction.
 [[nodiscard]] CsvWriter identifiability_table(const CalibrationResult& found);
 
-/// What calibration.json says: of all levels, modes, joints and pairs of joints.
+/// Record for calibration.json: all levels, modes, joints and pairs of joints.
 [[nodiscard]] NamedValues record_of_calibration(const CalibrationResult& found);
 
 /// The identification of one joint.

@@ -5,15 +5,15 @@
 
 namespace microslip {
 
-/// What a joint is identified from.
+/// Data from which a joint is identified.
 enum class EvidenceKind {
   kLevels,  ///< levels.csv
   kRecord,  ///< forces and displacements over time, in any format of recordings
 };
 
-/// What a file holds, by its content: a record where it is no text, or a table without amplitude
-/// and dissipation of which a column is called as a time, a displacement or a force. What comes
-/// through a pipe, which could be read only once, counts as levels.
+/// Kind of evidence in a file, by its content: a record where it is no text, or a table without
+/// amplitude and dissipation of which a column is called as a time, a displacement or a force. What
+/// comes through a pipe, which could be read only once, counts as levels.
 /// @throws FileError, FormatError  as recording_format().
 [[nodiscard]] EvidenceKind evidence_kind(const std::string& path);
 

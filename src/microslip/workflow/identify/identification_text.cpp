@@ -32,12 +32,12 @@ std::string describe_scatter(const InversionResult& result) {
   const double d = result.dissipation_scatter;
   const std::string of_d = result.scatter_is_relative
                                ? percent_text(d) + " of D about the fit (estimated)"
-                               : fmt::format("{:.2f} of the standard deviations given", d);
+                               : fmt::format("{:.2f} times the given standard deviations", d);
   if (!result.secant_scatter) return line("scatter", of_d);
   const double k = *result.secant_scatter;
   return line("scatter of D", of_d) +
-         line("scatter of k_eq", fmt::format("{:.2f} of those given{}", k,
-                                             k < 0.7 ? ", which hold more than scatter" : ""));
+         line("scatter of k_eq", fmt::format("{:.2f} times those given{}", k,
+                                             k < 0.7 ? ", which contain more than scatter" : ""));
 }
 
 /// Where the joint's own secant stiffnesses lie against the measured ones.
@@ -51,7 +51,7 @@ std::string describe_offset(const Identification& found) {
                   secant.offset > 0.0 ? "below" : "above", percent_text(secant.offset_std / k)));
 }
 
-/// Which assumptions are broken, before anything is said of a density.
+/// Failed assumptions, before anything on the density.
 std::string describe_broken(const Identification& found) {
   std::vector<std::string> codes;
   const auto add = [&](std::string_view code) {
@@ -68,18 +68,18 @@ std::string describe_broken(const Identification& found) {
     }
   }
   if (codes.empty()) return {};
-  return line("verdict", fmt::format("NOT A JOINT OF THIS KIND: {}", fmt::join(codes, ", "))) +
-         line("", "what follows is the joint of the kind that is nearest; see the warnings");
+  return line("verdict", fmt::format("NOT A MASING JOINT: {}", fmt::join(codes, ", "))) +
+         line("", "what follows is the closest Masing joint; see the warnings");
 }
 
-/// What levels were tested for, each with its number and what noise makes of it.
+/// Tests of the assumptions for levels, each with its number and the effect of noise.
 std::string describe_verdicts(const Identification& found) {
   std::string text;
   for (const LevelDepartureVerdict& verdict : found.verdicts) {
     text += line(text.empty() ? "tested" : "",
                  fmt::format("{}: {} of {}, noise {}, {}", to_string(verdict.departure),
                              percent_text(verdict.share), verdict.quantity,
-                             percent_text(verdict.noise), verdict.broken ? "broken" : "held"));
+                             percent_text(verdict.noise), verdict.broken ? "failed" : "passed"));
   }
   return text;
 }
@@ -89,9 +89,9 @@ std::string describe_frequencies(const Identification& found) {
   if (!found.stiffness.frequency) return {};
   const FrequencyEvidence& frequency = *found.stiffness.frequency;
   return line("frequencies",
-              fmt::format("explained to ± {:.2g} Hz by a share of {:.2f} of the softening",
+              fmt::format("fit within {:.2g} Hz at sensitivity {:.2f} to the joint's softening",
                           frequency.uncertainty, frequency.share)) +
-         line("", fmt::format("(to {:.2g} Hz if the joint were all of the stiffness)",
+         line("", fmt::format("({:.2g} Hz at sensitivity 1: the joint as the only stiffness)",
                               frequency.equivalent_joint_error));
 }
 
@@ -123,7 +123,7 @@ std::string band_text(const Estimate& estimate, double confidence) {
                      estimate.upper);
 }
 
-/// What stands for the stiffness where records told it.
+/// Elastic remainder, where the stiffness was identified from records.
 std::string describe_records(const RecordInversionResult& result) {
   std::string text = line("elastic remainder",
                           fmt::format("{:.5g} N/m, {}", result.elastic_stiffness.value,
@@ -173,7 +173,7 @@ std::string describe_density(const Identification& found) {
   for (int i = 0; i < kRows; ++i) {
     const double f = from + (to - from) * i / (kRows - 1);
     const auto near = std::ranges::min_element(found.slip_force, {},
-                                               [&](double knot) { return std::abs(knot - f); });
+                                               [&](double force) { return std::abs(force - f); });
     const auto j = static_cast<std::size_t>(near - found.slip_force.begin());
     text += fmt::format("  {:14.4g}   {:13.4g}", found.slip_force[j], found.density[j]);
     if (!found.lower.empty()) {
@@ -280,7 +280,7 @@ void add_level_verdicts(const Identification& found, NamedValues& record) {
   record.emplace_back("verdict_noise", std::move(noise));
 }
 
-/// Tables of levels beside records, each held against all else.
+/// Tables of levels with records, each compared with all other evidence.
 void add_tables(const RecordInversionResult& result, NamedValues& record) {
   if (result.levels.empty()) return;
   std::vector<double> scatter;
@@ -412,10 +412,10 @@ std::string describe_identification(const Identification& found, std::size_t lev
   }
   text += describe_frequencies(found);
   text += describe_verdicts(found);
-  text += line("stiffness slipped",
-               fmt::format("{:.1f} % (elastic remainder {:.1f} %)", 100.0 * density.total().zeroth,
-                           100.0 * density.elastic_remainder()));
-  text += line("slipped part carries", fmt::format("{:.4g} N at most", joint.macroslip_force()));
+  text += line("slipping fraction",
+               fmt::format("{:.1f} % of k (elastic remainder {:.1f} %)",
+                           100.0 * density.total().zeroth, 100.0 * density.elastic_remainder()));
+  text += line("total slip force", fmt::format("{:.4g} N", joint.macroslip_force()));
   if (found.linear_damping && !found.parametric) {
     text += line("linear damping",
                  fmt::format("{:.4g} J/m^2 (adds to D with A^2)", *found.linear_damping));
@@ -466,8 +466,7 @@ std::string density_csv(const Identification& found) {
   }
   if (!density.lower.empty()) {
     table.add_comment(
-        "lower and upper are pointwise: the lower edge as a whole is no joint, nor is the upper "
-        "one");
+        "lower and upper are pointwise: neither edge as a whole is the density of a joint");
   }
   if (!found.summary.converged()) {
     table.add_comment(fmt::format("NOT CONVERGED: {}", found.summary.reason));

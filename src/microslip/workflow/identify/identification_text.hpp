@@ -12,12 +12,12 @@
 
 namespace microslip {
 
-/// What was identified, how sure it is and what to worry about; some twenty lines.
+/// Summary: results, their uncertainty and warnings; some twenty lines.
 /// @param level_count  of the levels as read, or as merged where only that is known; of records.
 [[nodiscard]] std::string describe_identification(const Identification& found,
                                                   std::size_t level_count);
 
-/// What joint.json says of the identification under that key.
+/// Record of the identification under that key of joint.json.
 [[nodiscard]] NamedValues record_of_identification(const Identification& found);
 
 /// The text of density.csv; negative values of methods that allow them are written as 0, and

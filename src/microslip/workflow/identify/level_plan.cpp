@@ -69,7 +69,7 @@ void check_planning(const LevelPlanning& options) {
   if (options.draws < kFewestDraws || options.draws > LevelPlanning::kMostDraws) {
     throw InputError("draws", static_cast<double>(options.draws),
                      fmt::format("must be from {} to {}", kFewestDraws, LevelPlanning::kMostDraws),
-                     "1000 tell expected widths to some 3 %.");
+                     "1000 give expected widths to about 3 %.");
   }
   if (options.range) check_interval("range", *options.range);
   if (!options.amplitude) return;
@@ -83,8 +83,8 @@ void check_enough(const LevelEvidence& evidence) {
   throw InputError(
       "number of different amplitudes", static_cast<double>(evidence.size()),
       fmt::format("must be {} or more: a plan rests on the density found so far", kFewestToPlan),
-      fmt::format("Begin with {} levels or more in equal steps from the smallest to the largest "
-                  "amplitude that the test is to have.",
+      fmt::format("Start with {} or more levels in equal steps from the smallest to the largest "
+                  "amplitude of the test.",
                   kFewestToPlan));
 }
 
@@ -95,10 +95,10 @@ void check_reach(std::string_view name, double reach, double highest,
   if (reach <= kFarthest * highest) return;
   const bool forces = name == "`range`";
   throw InputError(fmt::format("TO of {}", name), forces ? options.stiffness * reach : reach,
-                   fmt::format("must be {:.4g} {} or less, {:g} times what the levels reach",
+                   fmt::format("must be {:.4g} {} or less, {:g} times the range of the levels",
                                kFarthest * highest * (forces ? options.stiffness : 1.0),
                                forces ? "N" : "m", kFarthest),
-                   "Measure a level between, and plan again.");
+                   "Measure a level in between, and plan again.");
 }
 
 /// A posterior, and the levels that it is of.
@@ -194,15 +194,15 @@ std::string target_text(const LevelPlan& plan, const LevelPlanning& options) {
     return fmt::format("height of the peak of {} at {:.6g} Hz, {:.5g} m", options.peak.model,
                        plan.peak_frequency, plan.peak_height);
   }
-  return fmt::format("{} from {:.4g} to {:.4g} N",
-                     options.target == PlanTarget::kArea ? "share of the stiffness that slips"
-                                                         : "density, mean width",
-                     plan.range.first, plan.range.second);
+  return fmt::format(
+      "{} from {:.4g} to {:.4g} N",
+      options.target == PlanTarget::kArea ? "slipping fraction of k" : "density, mean band width",
+      plan.range.first, plan.range.second);
 }
 
 double fall_of(double before, double after) { return before > 0.0 ? 1.0 - after / before : 0.0; }
 
-/// Amplitudes at which what is planned is nearly all that they can tell.
+/// Amplitudes whose further repeats would hardly lower the width.
 std::string exhausted_text(const LevelPlan& plan) {
   std::string list;
   for (const DesignedLevel& level : plan.design.levels) {
@@ -210,20 +210,19 @@ std::string exhausted_text(const LevelPlan& plan) {
     list += (list.empty() ? "" : ", ") + length_text(plan.amplitude[level.candidate]);
   }
   if (list.empty()) {
-    return "more of the same still helps at each amplitude: repeated for ever, it lowers the width "
-           "by "
+    return "repeats still help at each amplitude: repeated without end, they lower the width by "
            "another 1 % or more";
   }
   return fmt::format(
-      "more of the same no longer helps at {}: however many more, the width falls by "
-      "less than 1 %",
+      "further repeats no longer help at {}: any number of them lowers the width by less than 1 %",
       list);
 }
 
 std::string one_more_text(const LevelPlan& plan, PlanTarget target) {
   const double gain = fall_of(plan.design.after, plan.design.one_more);
-  return fmt::format("{}; one more makes it {:.2g} % less{}", width_text(plan.design.after, target),
-                     100.0 * gain, gain < kHardlyHelps ? ", which hardly helps" : "");
+  return fmt::format("{}; one more level lowers it by {:.2g} %{}",
+                     width_text(plan.design.after, target), 100.0 * gain,
+                     gain < kHardlyHelps ? ", which hardly helps" : "");
 }
 
 }  // namespace
@@ -250,8 +249,8 @@ std::string plan_text(const LevelPlan& plan, const LevelPlanning& options,
   CsvWriter table;
   table.add_comment(provenance_of(command, {plan.input}));
   table.add_comment(
-      fmt::format("target: {}; 95 %, by {} draws", target_text(plan, options), plan.draws));
-  table.add_comment("errors that all levels share are not in the widths: no level corrects them");
+      fmt::format("target: {}; 95 % band, {} draws", target_text(plan, options), plan.draws));
+  table.add_comment("errors common to all levels are not in the widths: no level reduces them");
   table.add_comment(fmt::format("width now: {}", width_text(plan.design.now, options.target)));
   table.add_comment(fmt::format("width after all: {}", one_more_text(plan, options.target)));
   table.add_comment(exhausted_text(plan));

@@ -25,7 +25,7 @@ struct LevelPlan {
   std::pair<double, double> range = {};  ///< of slip forces, N; of a peak not used
   std::size_t draws = 0;                 ///< that it rests on
   double peak_frequency = 0.0;           ///< of the joint found so far, Hz
-  double peak_height = 0.0;              ///< likewise, m
+  double peak_height = 0.0;              ///< m, as above
   LevelDesign design = {};               ///< of kWidths standard deviations each
   std::vector<Warning> warnings = {};    ///< of levels, identification and plan
 };

@@ -18,7 +18,7 @@ namespace microslip {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 
-/// What further levels are to tell.
+/// Quantity whose uncertainty further levels reduce.
 enum class PlanTarget {
   kDensity,  ///< φ over a range of slip forces
   kArea,     ///< ∫φ df* over it, the share of k that slips there
@@ -38,7 +38,7 @@ struct PlannedPeak {
   double to = 0.0;         ///< Hz
 };
 
-/// What is to be planned, and how.
+/// Inputs and options of plan_levels().
 struct LevelPlanning {
   std::string levels = {};                   ///< path of levels.csv; "-" is standard input
   double stiffness = 0.0;                    ///< k of the stuck joint, N/m; > 0
@@ -51,7 +51,7 @@ struct LevelPlanning {
   std::optional<std::pair<double, double>> range = {};
   std::size_t draws = 1000;  ///< of the posterior; 100 to kMostDraws
   std::uint64_t seed = 1;    ///< of them
-  Progress progress = {};    ///< told of the draws, and of those of a peak; may cancel
+  Progress progress = {};    ///< reports the draws, also those of a peak; may cancel
 
   /// More are a mistake.
   static constexpr std::size_t kMostDraws = 100'000;

@@ -32,7 +32,7 @@ Provenance levels_provenance(const IdentificationOptions& options,
   return provenance;
 }
 
-/// Where no level loses anything no density can be told from none.
+/// Without any loss no density can be identified.
 void check_losses(const LevelsFile& file) {
   if (std::ranges::any_of(file.levels.dissipation, [](double d) { return d > 0.0; })) return;
   throw FormatError({.file = file.file, .line = file.line.front(), .column = 0},
@@ -41,7 +41,7 @@ void check_losses(const LevelsFile& file) {
                     "Check the column, or measure at larger amplitudes.");
 }
 
-/// What the levels are at fault for names their file.
+/// Errors of the levels name their file.
 Identification identified(const LevelsFile& file, const LevelsIdentification& options) {
   try {
     return identify(LevelEvidence(file.levels, options.texts.common_errors), options.stiffness,
@@ -95,7 +95,7 @@ std::string samples_bytes(const Identification& found, const IdentificationOptio
 
 std::string describe_identified_levels(const LevelsIdentification& options,
                                        const IdentifiedLevels& done) {
-  // What was done with levels that have inner reversals has a line of its own.
+  // Levels with inner reversals have a line of their own.
   Identification found = done.found;
   if (done.reversed.empty()) return describe_identification(found, done.count);
   found.warnings.pop_back();
@@ -105,8 +105,8 @@ std::string describe_identified_levels(const LevelsIdentification& options,
               fmt::format("{} level{} (line{} {}){}", done.reversed.size(), one ? "" : "s",
                           one ? "" : "s", fmt::join(done.reversed, ", "),
                           options.use_inner_reversals
-                              ? ", used all the same"
-                              : ", left out; `inner_reversals use` takes them"));
+                              ? ", used nevertheless"
+                              : ", left out; `inner_reversals use` includes them"));
 }
 
 }  // namespace microslip

@@ -18,7 +18,7 @@
 
 namespace microslip {
 
-/// What is to be identified, and how.
+/// Inputs and options of identify_levels().
 struct LevelsIdentification {
   std::string levels;                  ///< path of levels.csv; "-" is standard input
   double stiffness = 0.0;              ///< k of the stuck joint, N/m; > 0
@@ -29,7 +29,7 @@ struct LevelsIdentification {
   OptionTexts texts = {};  ///< what joint.json tells of the options; with the common errors
 };
 
-/// What came of it.
+/// Result of identify_levels().
 struct IdentifiedLevels {
   NamedInput input;                        ///< as read
   Identification found;                    ///< with warnings of the file, too
@@ -43,14 +43,14 @@ struct IdentifiedLevels {
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedLevels identify_levels(const LevelsIdentification& options);
 
-/// The same of levels that were read before.
+/// Identifies from levels that were read before.
 /// @param table    of identify_levels(); `levels` of the options is not looked at.
 /// @param options  as of identify_levels().
 /// @throws FormatError, InputError, Cancelled  as identify_levels().
 [[nodiscard]] IdentifiedLevels identify_table(LevelTable table,
                                               const LevelsIdentification& options);
 
-/// What joint.json holds.
+/// Contents of joint.json.
 /// @param found    with its warnings.
 /// @param options  that it was found with.
 /// @param inputs   the levels; empty where they came from no file.

@@ -35,7 +35,7 @@ std::size_t joint_of_model(const ModelFile& model, const PlannedPeak& peak) {
   const std::string file = input_name(peak.model);
   if (joints.empty()) {
     throw InputError(file + ": joints", "none", "must be one or more",
-                     "Levels of a joint say nothing of a structure without.");
+                     "Levels of a joint do not determine a structure without joints.");
   }
   if (peak.joint.empty() && joints.size() == 1) return 0;
   const auto named = std::ranges::find(joints, peak.joint, &StructuralJoint::name);
@@ -52,7 +52,7 @@ void check_planned_joint(const ModelFile& model, std::size_t number, const Level
     throw InputError(
         fmt::format("{}: stiffness of '{}'", file, model.structure.joints()[number].name),
         stiffness,
-        fmt::format("must be that of the joint of the levels, {:.6g} N/m, to 10 %",
+        fmt::format("must be that of the joint of the levels, {:.6g} N/m, within 10 %",
                     options.stiffness),
         "Name the joint that the levels are of, by `joint`.");
   }
@@ -99,8 +99,8 @@ ResponseCurve reference_curve(const HarmonicBalance& balance, const ResponseRang
       balance.follow(range.kept, Quantity::kAngularFrequency, range.from, range.to);
   if (!curve.summary.converged()) {
     throw InputError(fmt::format("{}: response", input_name(peak.model)), "not converged",
-                     fmt::format("must be found to plan by its peak: {}", curve.summary.reason),
-                     "Take another force or range of frequencies.");
+                     fmt::format("must converge to plan by its peak: {}", curve.summary.reason),
+                     "Use another force or frequency range.");
   }
   if (curve.peaks.empty()) {
     throw InputError(fmt::format("{}: peak of the response", input_name(peak.model)), "none",

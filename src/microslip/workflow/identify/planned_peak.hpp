@@ -13,7 +13,7 @@ namespace microslip {
 /// The highest peak of a structure's response, by draws of one of its joints.
 struct PeakDraws {
   double frequency = 0.0;              ///< with the joint that was found, Hz
-  double height = 0.0;                 ///< likewise, m
+  double height = 0.0;                 ///< m, as above
   std::vector<Joint> joints;           ///< the draws that have it
   std::vector<double> heights;         ///< of each, m
   std::vector<Warning> warnings = {};  ///< of draws without it

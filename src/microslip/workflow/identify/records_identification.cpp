@@ -59,7 +59,7 @@ std::string_view origin_of(const RecordStart& start, const RecordsIdentification
   return shown ? "shown" : "assumed";
 }
 
-/// Which recordings the records are, and who says in which state they begin.
+/// Sources of the records, and how their initial state was determined.
 void add_sources(const RecordsIdentification& options, const IdentifiedRecords& done,
                  NamedValues& record) {
   std::vector<std::string> start_from;
@@ -71,16 +71,16 @@ void add_sources(const RecordsIdentification& options, const IdentifiedRecords& 
 
 std::string describe_start(const RecordStart& start) {
   if (start.start == PathStart::kUnknown) {
-    return start.early_misfit > 0.0 ? "had slipped before, as its first samples show"
-                                    : "of unknown state, as given";
+    return start.early_misfit > 0.0 ? "had slipped before, detected from its first samples"
+                                    : "unknown, as given";
   }
-  return start.shown ? "virgin, as its first samples show" : "virgin, not shown";
+  return start.shown ? "virgin, detected from its first samples" : "virgin, not verified";
 }
 
 std::string describe_record(const std::string& source, const RecordStart& start,
                             const RecordFit& fit) {
   return line("record", shortened(source, 56)) + line("", describe_start(start)) +
-         line("", fmt::format("force scatters by {:.2g} N a sample; {} of it unexplained",
+         line("", fmt::format("force scatters by {:.2g} N per sample; {} of it unexplained",
                               fit.scatter, percent_text(fit.unexplained)));
 }
 
@@ -89,11 +89,11 @@ std::string describe_table(const std::string& path, std::size_t count, const Lev
          line("", fmt::format("{}, D scatters by {}", counted(count, "level"),
                               fit.scatter_is_relative
                                   ? percent_text(fit.scatter.dissipation)
-                                  : fmt::format("{:.2f} of the standard deviations given",
+                                  : fmt::format("{:.2f} times the given standard deviations",
                                                 fit.scatter.dissipation)));
 }
 
-/// What was read.
+/// Evidence read from the files.
 struct Gathered {
   std::vector<RecordEvidence> records;
   std::vector<std::string> source;

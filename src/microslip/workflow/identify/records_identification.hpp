@@ -21,7 +21,7 @@
 
 namespace microslip {
 
-/// What is to be identified, and how.
+/// Inputs and options of identify_records().
 struct RecordsIdentification {
   std::vector<std::string> records = {};  ///< paths of recordings of one joint
   std::vector<std::string> levels = {};   ///< paths of tables of its levels, levels.csv
@@ -31,19 +31,20 @@ struct RecordsIdentification {
   RecordInversionOptions options = {};    ///< of the method
   RecordingReadOptions reading = {};      ///< of the recordings
   bool use_inner_reversals = false;       ///< of the levels, as LevelTableOptions
-  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< of the levels, likewise
+  AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< of the levels
   /// The texts of the units that `reading` assumes, for joint.json.
   std::vector<std::string> assumed_units = {};
   std::string samples_out = {};  ///< file that the draws go to; empty for none
 };
 
-/// What came of it. Vectors of records have one entry each, in the order of `found.records()`.
+/// Result of identify_records(). Vectors of records have one entry each, in the order of
+/// `found.records()`.
 struct IdentifiedRecords {
   std::vector<std::string> source = {};  ///< of each record
   std::vector<double> input = {};        ///< number of the file of each record, from 1
   std::vector<std::string> tables = {};  ///< of each table of levels: its file
   std::vector<std::size_t> levels = {};  ///< of each: how many were used
-  std::vector<RecordStart> start = {};   ///< of each record; shown where nobody said it
+  std::vector<RecordStart> start = {};   ///< of each record; detected where not given
   std::vector<InputHash> inputs = {};    ///< the files
   Identification found;                  ///< with warnings of the files, too
 };
@@ -54,7 +55,7 @@ struct IdentifiedRecords {
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedRecords identify_records(const RecordsIdentification& options);
 
-/// What joint.json holds.
+/// Contents of joint.json.
 /// @param options  that it was found with.
 /// @param done     what was found.
 /// @param command  that the file is made by.

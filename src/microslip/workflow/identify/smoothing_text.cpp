@@ -42,7 +42,7 @@ void check(const Choice& choice) {
 double unit_in_metres(const Choice& choice, const std::optional<std::string>& unit) {
   if (!unit) {
     throw InputError(fmt::format("`smoothing {}`", choice.name), choice.value,
-                     "means nothing without the unit of the amplitude it was chosen in",
+                     "is undefined without the unit of the amplitude for which it was chosen",
                      "Add `smoothing_unit`, for instance `smoothing_unit um`.");
   }
   return parse_option_unit("`smoothing_unit`", *unit, kLength).factor();
@@ -52,7 +52,7 @@ void set_for_spline(const Choice& choice, const std::optional<std::string>& unit
                     IdentificationOptions& options) {
   if (choice.name == "gcv") {
     if (!unit) return;
-    throw InputError("`smoothing_unit`", "'" + *unit + "'", "belongs to p=X or lambda=X",
+    throw InputError("`smoothing_unit`", "'" + *unit + "'", "applies to p=X or lambda=X",
                      "Leave it out with gcv.");
   }
   const double metres = unit_in_metres(choice, unit);
@@ -67,12 +67,12 @@ void set_for_inversion(const Choice& choice, const std::optional<std::string>& u
                        IdentificationOptions& options) {
   if (choice.name == "p") {
     if (!unit) static_cast<void>(unit_in_metres(choice, unit));
-    throw InputError("`smoothing p`", choice.value, "belongs to `method spline`",
+    throw InputError("`smoothing p`", choice.value, "applies to `method spline`",
                      "Choose that method, or `smoothing gcv` or lambda=X.");
   }
   if (unit) {
-    throw InputError("`smoothing_unit`", *unit, "belongs to `method spline`",
-                     "The inversion is scaled and takes none: leave it out.");
+    throw InputError("`smoothing_unit`", *unit, "applies to `method spline`",
+                     "The inversion is scaled and needs none: leave it out.");
   }
   if (choice.name == "lambda") options.inversion.lambda = choice.value;
 }

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// What became of the files of a folder since the last look.
+/// Changes of the files of a folder since the last check.
 struct FolderChange {
   std::vector<std::string> whole = {};    ///< paths of all that are whole, sorted
   std::vector<std::string> changed = {};  ///< of these, those that are new or other ones
@@ -34,7 +34,7 @@ class FolderWatch {
   /// @param wanted  which are looked at. Hidden files and temporary ones never are.
   FolderWatch(std::string folder, std::chrono::milliseconds still, Wanted wanted);
 
-  /// What is there. @param now  not before the last look. @throws FileError  where the folder
+  /// Files present. @param now  not before the last check. @throws FileError  where the folder
   /// cannot be read.
   FolderChange look(Clock::time_point now = Clock::now());
 

@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestInput = std::size_t{1} << 26U;
 
-/// What the test is of, and how it came.
+/// Provenance of the test.
 struct MeasurementInputs {
   Rig rig;
   Joint joint;
@@ -120,7 +120,7 @@ std::string record_kind(const Rig& rig, RecordingFormat format) {
   return file_kind(format_recording_csv(recording));
 }
 
-/// What the test writes besides tables: all levels, or those that were found.
+/// Records that the test writes: all levels, or those that converged.
 std::vector<std::string> record_names(const MeasurementRun& options, const RecordNames& names,
                                       std::size_t levels,
                                       const std::function<bool(std::size_t)>& is_found) {
@@ -133,7 +133,7 @@ std::vector<std::string> record_names(const MeasurementRun& options, const Recor
   return all;
 }
 
-/// What another test left would be taken for a part of this one.
+/// Refuses files of another test, which would be taken for a part of this one.
 void check_strangers(const MeasurementRun& options, const std::vector<std::string>& records) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(options.out, error)) {
@@ -142,7 +142,8 @@ void check_strangers(const MeasurementRun& options, const std::vector<std::strin
                               ? std::ranges::find(records, name) == records.end()
                               : name == kForceControlFile && options.no_shaker;
     if (!stranger) continue;
-    throw InputError("`out`", options.out, fmt::format("must not hold {}, of another test", name),
+    throw InputError("`out`", options.out,
+                     fmt::format("must not contain {}, of another test", name),
                      "Choose another folder, or remove it.");
   }
 }
@@ -166,7 +167,7 @@ void check_origin(const MeasurementRun& options, std::vector<std::string> writte
   for (const std::string& name : written) {
     if (!fs::exists(fs::path(options.out) / name, error)) continue;
     throw InputError("`out`", options.out,
-                     fmt::format("must not hold {} that is not of a virtual test", name),
+                     fmt::format("must not contain {} that is not of a virtual test", name),
                      "Choose another folder, or move it away.");
   }
 }
@@ -175,7 +176,7 @@ void check_origin(const MeasurementRun& options, std::vector<std::string> writte
 void check_folder(const MeasurementRun& options, const Rig& rig, const RecordNames& names) {
   if (options.out.empty() || options.out == "-") {
     throw InputError("`out`", "'" + options.out + "'", "must be a folder",
-                     "It gets a file a level, and the truth.");
+                     "One file per level and the exact results are written to it.");
   }
   const fs::file_status status = fs::status(options.out);
   if (!fs::exists(status)) return;
@@ -350,10 +351,10 @@ std::vector<Warning> warnings_of(const MeasurementInputs& inputs, const VirtualM
 
 std::string true_joint_path(const Rig& rig, const std::string& rig_path) {
   if (rig.contact.joint.empty()) {
-    throw InputError(
-        input_name(rig_path) + ": contact.joint", "none", "must name the file of the true joint",
-        "Add joint = \"FILE\" to [contact], a joint that you take for the true one; the path is "
-        "relative to the rig's.");
+    throw InputError(input_name(rig_path) + ": contact.joint", "none",
+                     "must name the file of the true joint",
+                     "Add joint = \"FILE\" to [contact], the joint to be used as the true one; the "
+                     "path is relative to the rig's.");
   }
   return (fs::path(rig_path).parent_path() / rig.contact.joint).string();
 }
@@ -391,7 +392,7 @@ std::string describe_measurement(const MeasurementRun& options, const FinishedMe
            fmt::format("{}, {}",
                        range(1e6 * first.joints[0].amplitude, 1e6 * last.joints[0].amplitude, "um"),
                        range(1e6 * first.joints[0].dissipation, 1e6 * last.joints[0].dissipation,
-                             "uJ a cycle")));
+                             "uJ per cycle")));
   if (done.linear_damping > 0.0) {
     text += line("linear damping", damping_text(done.linear_damping) + ", as identified");
   }

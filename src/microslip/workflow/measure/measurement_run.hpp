@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// What is to be tested, and how.
+/// Inputs and options of run_measurement().
 struct MeasurementRun {
   std::string rig;              ///< path of rig.toml, with [test] and the true joint in [contact]
   std::string out;              ///< the folder; made where it is missing
@@ -23,11 +23,11 @@ struct MeasurementRun {
   bool no_shaker = false;       ///< a pure force
   bool before_control = false;  ///< with the records under a sinusoidal voltage
   std::string command = {};     ///< that the files are made by
-  Progress solving = {};        ///< told of the levels
+  Progress solving = {};        ///< reports the levels
   Progress writing = {};        ///< the same
 };
 
-/// What came of it.
+/// Result of run_measurement().
 struct FinishedMeasurement {
   std::string joint_path;            ///< of the true joint
   double linear_damping;             ///< β of it, J/m²

@@ -29,7 +29,7 @@ struct VirtualRecords {
   std::vector<std::pair<std::string, Recording>> before_control;  ///< of some levels, with names
 };
 
-/// What the chain made.
+/// Results of the chain.
 struct RigDemonstration {
   Rig rig;                         ///< with the truth
   Joint truth;                     ///< in its contact

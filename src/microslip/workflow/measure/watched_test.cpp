@@ -40,7 +40,7 @@ constexpr std::string_view kReportFile = "watch.html";
 constexpr std::string_view kWatchCommand = "microslip watch";
 constexpr std::size_t kRanked = 3;  // levels of next_levels.csv
 
-/// What microslip writes into folders of tests, and is no record.
+/// Files that microslip writes into folders of tests, which are no records.
 bool is_result_name(std::string_view name) {
   constexpr std::array<std::string_view, 9> kResults{
       kDensityFile,        kNextFile,          "truth.csv",
@@ -68,13 +68,14 @@ std::string level_line(const ReducedLevel& level) {
 
 std::string joint_line(const Identification& found, std::size_t levels) {
   std::string text = levels > 0 ? counted(levels, "level") + ": " : "";
-  text += fmt::format("k = {:.5g} N/m, {:.3g} of it slips up to {:.4g} N", found.joint.stiffness(),
-                      found.joint.density().total().zeroth, found.covered_to);
+  text +=
+      fmt::format("k = {:.5g} N/m, slipping fraction {:.3g} up to {:.4g} N",
+                  found.joint.stiffness(), found.joint.density().total().zeroth, found.covered_to);
   for (const Warning& warning : found.warnings) text += ", " + warning.code;
   return text;
 }
 
-/// What is at fault in a call, if anything: it ends that call and no more, as the next file may
+/// Fault of a call, if any: it ends only that call, as the next file may
 /// mend it.
 std::optional<std::string> fault_in(const std::function<void()>& call) {
   try {
@@ -87,7 +88,7 @@ std::optional<std::string> fault_in(const std::function<void()>& call) {
   }
 }
 
-/// What a file holds, where it is whole and right.
+/// Contents of a complete and valid file.
 std::string evidence_line(const std::string& path, bool is_table) {
   if (is_table) {
     const LevelTable table = read_level_table(path, {.assemblies = AssemblyColumn::kRefused});
@@ -100,7 +101,7 @@ std::string evidence_line(const std::string& path, bool is_table) {
                      counted(found.records.size(), "record"), samples);
 }
 
-/// What is left of a record that was cut is not taken here: most are short because they are being
+/// Truncated records are not read here: most are short because they are being
 /// written. Another command makes a record of it.
 std::string as_watch_advises(std::string fault, const std::string& file) {
   constexpr std::string_view kOption = "`allow_truncated`";
@@ -117,7 +118,8 @@ std::string as_watch_advises(std::string fault, const std::string& file) {
 
 WatchedTest::WatchedTest(WatchedTestOptions options) : options_(std::move(options)) {
   if (!fs::is_directory(options_.folder)) {
-    throw FileError(options_.folder, "is no folder", "Name the one into which the records come.");
+    throw FileError(options_.folder, "is not a folder",
+                    "Name the folder in which the records arrive.");
   }
   check_own();
 }
@@ -137,7 +139,8 @@ void WatchedTest::check_own() const {
     const std::string file = path(std::string(name));
     if (!fs::exists(file) || fs::file_size(file) == 0) continue;
     if (read_file(file).find(kWatchCommand) != std::string::npos) continue;
-    throw InputError(file, "there already", "is written here, and nothing of others is replaced",
+    throw InputError(file, "there already",
+                     "would be written here, and no file of another program is replaced",
                      "Move it away, or watch a folder with the records alone.");
   }
 }
@@ -201,13 +204,14 @@ void WatchedTest::forget_plan() const {
   const std::string plan = path(std::string(kNextFile));
   if (!fs::exists(plan) || fs::file_size(plan) == 0) return;
   remove_file(plan);
-  options_.tell(WatchedNews::kNext, fmt::format("{} was of the joint before, and is removed: "
-                                                "there is no plan for this one",
-                                                kNextFile));
+  options_.tell(
+      WatchedNews::kNext,
+      fmt::format("{} was for the previous joint, and is removed: there is no plan for this one",
+                  kNextFile));
 }
 
 void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChange& change) {
-  // All are reduced anew when the rig has changed; else what was faulty is faulty still.
+  // All are reduced again when the rig has changed; otherwise faulty files remain faulty.
   if (is_among(change.changed, path(std::string(kRigFile)))) faulty_.clear();
   std::vector<std::string> asked;
   for (const std::string& file : files) {
@@ -305,11 +309,10 @@ void WatchedTest::write_joint(const std::string& joint, const std::string& densi
 
 void WatchedTest::plan_next(const std::string& levels, double stiffness, std::size_t count) {
   if (count < kFewestToPlan) {
-    options_.tell(
-        WatchedNews::kNext,
-        fmt::format("{} are there: first {} or more in equal steps from the smallest to the "
-                    "largest amplitude",
-                    counted(count, "level"), kFewestToPlan));
+    options_.tell(WatchedNews::kNext,
+                  fmt::format("{} so far: first measure {} or more in equal steps from the "
+                              "smallest to the largest amplitude",
+                              counted(count, "level"), kFewestToPlan));
     return;
   }
   LevelPlanning planning{.levels = levels, .stiffness = stiffness, .target = options_.target};
@@ -322,7 +325,7 @@ void WatchedTest::plan_next(const std::string& levels, double stiffness, std::si
   const DesignedLevel& first = plan.design.levels.front();
   const bool area = options_.target == PlanTarget::kArea;
   options_.tell(WatchedNews::kNext,
-                fmt::format("{}; the width of the {} is then {:.3g} in place of {:.3g}{}",
+                fmt::format("{}; the width of the {} is then {:.3g} instead of {:.3g}{}",
                             length_text(plan.amplitude[first.candidate]), area ? "area" : "density",
                             first.after, first.before, area ? "" : " 1/N"));
 }

@@ -22,7 +22,7 @@ namespace microslip {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 
-/// What a line tells of.
+/// Subject of a line.
 enum class WatchedNews {
   kRecord,  ///< a record that is new
   kFault,   ///< what could not be done, and why; a file that is left out until it changes
@@ -32,7 +32,7 @@ enum class WatchedNews {
 
 #pragma GCC diagnostic pop
 
-/// What is watched, and what is done.
+/// Folder to watch, and options.
 struct WatchedTestOptions {
   std::string folder = {};                   ///< with the records
   std::optional<double> stiffness = {};      ///< k, N/m; without it that of rig.toml, or of records
@@ -43,13 +43,13 @@ struct WatchedTestOptions {
   /// Gets each line as soon as it is known.
   std::function<void(WatchedNews, const std::string&)> tell = [](WatchedNews, const std::string&) {
   };
-  Progress progress = {};  ///< told of all that takes long; may cancel
+  Progress progress = {};  ///< reports all that takes long; may cancel
 };
 
 /// The files of a folder that watch_test() reads and writes.
 ///
 /// With a rig.toml in it all records are of that rig: they are reduced to levels.csv. Without,
-/// tables of levels and recordings of force and displacement are told by their content. Then
+/// tables of levels and recordings of force and displacement are recognised by their content. Then
 /// joint.json and density.csv are written, with 1000 draws, and next_levels.csv where one table of
 /// levels is all there is; one of an earlier joint is removed.
 class WatchedTest {
@@ -64,7 +64,7 @@ class WatchedTest {
   /// The report that belongs to the folder, which the caller writes.
   [[nodiscard]] std::string report_path() const;
 
-  /// Evaluates what is whole. What is faulty is told once and left out until it changes.
+  /// Evaluates complete files. Faulty ones are reported once and left out until they change.
   /// @return whether a joint was written.
   /// @throws InputError  where k is not known. @throws Cancelled  as the progress says.
   bool evaluate(const FolderChange& files);
@@ -92,7 +92,7 @@ class WatchedTest {
   WatchedTestOptions options_;
   std::map<std::string, std::string> faulty_;  // by path, until it changes
   bool joint_written_ = false;                 // by the last evaluation
-  bool planned_ = false;                       // likewise, next_levels.csv
+  bool planned_ = false;                       // as above, next_levels.csv
 };
 
 }  // namespace microslip

@@ -18,7 +18,7 @@ DrawnBackbone drawn_backbone(const HarmonicBalance& balance, const ResponseCurve
           .resonances(there, mode);
   if (!curve.summary.converged()) return {.failure = curve.summary.reason};
   if (curve.points.size() != reference.points.size()) {
-    return {.failure = fmt::format("its backbone turns back otherwise: {} rows, not {}",
+    return {.failure = fmt::format("its backbone has other turning points: {} rows, not {}",
                                    curve.points.size(), reference.points.size())};
   }
   DrawnBackbone backbone;

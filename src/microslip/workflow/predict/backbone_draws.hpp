@@ -16,7 +16,7 @@
 
 namespace microslip {
 
-/// What draws of a model make of a backbone, one value a point of it.
+/// Band of a backbone from draws of a model, one value per point of it.
 struct BackboneSpread {
   Band force;                     ///< N
   Band frequency;                 ///< Hz
@@ -25,7 +25,7 @@ struct BackboneSpread {
   std::vector<Warning> warnings;  ///< what must be known of the bands
 };
 
-/// What one draw makes of a backbone, one value a point of the reference.
+/// Backbone of one draw, one value per point of the reference.
 struct DrawnBackbone {
   std::string failure = {};                ///< why there is none; empty where there is
   std::vector<double> force = {};          ///< N
@@ -51,7 +51,7 @@ struct DrawnBackbone {
 /// @param draws      of the model.
 /// @param options    which of them, and the confidence.
 /// @param execution  of the draws.
-/// @param progress   told of those done; may cancel.
+/// @param progress   reports the number done; may cancel.
 /// @throws InputError  where all draws failed, or as DrawOptions::check().
 /// @throws Cancelled   as progress says.
 [[nodiscard]] BackboneSpread backbone_spread(const HarmonicBalance& balance,

@@ -44,7 +44,7 @@ JointSamples joint_samples(const Identification& found, const Provenance& proven
     read_draws_of_records(*records, samples);
   }
   if (samples.size() == 0) {
-    throw InputError("draws of the density", "none", "must be there to be kept",
+    throw InputError("draws of the density", "none", "must be 1 or more to be written",
                      "Identify the joint with `samples`.");
   }
   return samples;

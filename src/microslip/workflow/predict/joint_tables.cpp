@@ -52,14 +52,13 @@ double farthest(const DisplacementPath& path) {
 std::optional<Warning> damping_warning(const JointFile& file) {
   const double beta = identified_damping(file).value_or(0.0);
   if (beta == 0.0) return std::nullopt;
-  return Warning{
-      "linear_damping_left_out",
-      fmt::format("The joint was identified with a linear damping of {}, which is not in "
-                  "the force: a loss that grows with the square of the amplitude and does "
-                  "not depend on the rate has no force along a path. Per cycle of "
-                  "amplitude A the joint loses {:.6g} J/m^2 A^2 more than the area of "
-                  "the loop.",
-                  damping_text(beta), beta)};
+  return Warning{"linear_damping_left_out",
+                 fmt::format("The joint was identified with a linear damping of {}, which is not "
+                             "in the force: a rate-independent loss that grows with the square of "
+                             "the amplitude has no force along a path. Per cycle of "
+                             "amplitude A the joint loses {:.6g} J/m^2 A^2 more than the area of "
+                             "the loop.",
+                             damping_text(beta), beta)};
 }
 
 /// A column of a dissipation curve.
@@ -131,7 +130,7 @@ DrawnValues drawn_values(
     const JointFile& file, const std::optional<LoneJointDraws>& draws, std::size_t size,
     const std::function<std::vector<double>(const Joint& joint, double beta)>& values_of) {
   if (!draws) return {};
-  draws->options.check_size(size, "Take fewer points, or fewer draws.");
+  draws->options.check_size(size, "Use fewer points, or fewer draws.");
   const double beta = identified_damping(file).value_or(0.0);
   std::vector<std::vector<double>> values(draws->options.count);
   const auto take = [&](std::size_t i) -> std::string {
@@ -186,7 +185,7 @@ LoneJointDraws draws_of(const JointFile& file, const JointUncertainty& uncertain
     text += fmt::format("{}normal load, {:g}", text.empty() ? "" : "; ", uncertain.normal_load);
   }
   if (text.empty()) {
-    throw InputError("what is uncertain", "nothing", "must be something that draws can vary",
+    throw InputError("uncertainty", "none", "must include a parameter that the draws can vary",
                      "Give `samples` of the joint, or `normal_load_std`.");
   }
   return {DrawnJoints({std::move(draws)}, {uncertain.normal_load}, JointPairing::kIndependent,

@@ -16,7 +16,7 @@
 #include "microslip/workflow/predict/model_draws.hpp"
 
 /// @file
-/// What a joint does by itself, as tables.
+/// Tables of a single joint.
 
 namespace microslip {
 
@@ -27,7 +27,7 @@ struct JointTable {
   std::optional<DrawsTaken> taken = {};  ///< what became of the draws, where there are
 };
 
-/// What is uncertain of a joint by itself.
+/// Uncertainty of a single joint.
 struct JointUncertainty {
   std::string samples = {};  ///< path of its draws, joint_samples.h5; empty: none
   double normal_load = 0.0;  ///< σ of the factor of its slip forces, 1
@@ -39,7 +39,7 @@ struct LoneJointDraws {
   DrawOptions options;                         ///< which of them
   std::string uncertain;                       ///< in words
   Execution execution = Execution::threads();  ///< of the draws
-  Progress progress = {};                      ///< told of those done; may cancel
+  Progress progress = {};                      ///< reports the number done; may cancel
 };
 
 /// Reads the samples.

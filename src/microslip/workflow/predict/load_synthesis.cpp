@@ -17,7 +17,7 @@ namespace microslip {
 namespace {
 
 constexpr double kTimesAPeriod = 256.0;        // a chord lies 8e-5 of the amplitude beside the sine
-constexpr double kTimesAPulse = 200.0;         // likewise 3e-5 of a half-sine
+constexpr double kTimesAPulse = 200.0;         // 3e-5 of a half-sine
 constexpr double kTimesAPeriodOfNoise = 32.0;  // 5e-3 at the highest frequency, less below
 constexpr double kTimesAPeriodOfShock = 20.0;  // 1e-2; the spectrum is that of the chords
 constexpr double kLeastTimes = 8.0;            // in a period or pulse
@@ -57,7 +57,7 @@ double usual_times(LoadShape shape) {
   return kTimesAPeriodOfNoise;
 }
 
-/// What the functions of noise and of a shock check by themselves.
+/// Whether the function of a shape checks the sampling rate itself.
 bool checks_rate(LoadShape shape) {
   return shape == LoadShape::kNoise || shape == LoadShape::kShock;
 }
@@ -68,7 +68,7 @@ double sampling_rate_of(const JointedStructure& structure, const LoadPlan& plan)
     const double least = rate_of(structure, plan, kLeastTimes);
     if (checks_rate(plan.shape) || plan.sampling_rate >= least) return plan.sampling_rate;
     throw InputError("sampling rate", plan.sampling_rate,
-                     fmt::format("must be {:.6g} Hz or more, {} times in a {}", least, kLeastTimes,
+                     fmt::format("must be {:.6g} Hz or more, {} times per {}", least, kLeastTimes,
                                  plan.shape == LoadShape::kHalfSine ? "pulse" : "period"));
   }
   const double rate = rate_of(structure, plan, usual_times(plan.shape));
@@ -85,26 +85,25 @@ void check_pulse(const LoadPlan& plan) {
                                  to_string(plan.shape)));
   }
   if (plan.begin >= 0.0 && plan.begin <= latest * (1.0 + kRounding)) return;
-  throw InputError(fmt::format("begin of the {}", to_string(plan.shape)), plan.begin,
-                   fmt::format("must be from 0 s to {:.6g} s: all of its {:.6g} s lie in the "
-                               "duration",
-                               std::max(latest, 0.0), plan.pulse));
+  throw InputError(
+      fmt::format("start of the {}", to_string(plan.shape)), plan.begin,
+      fmt::format("must be from 0 s to {:.6g} s: all of its {:.6g} s must lie in the duration",
+                  std::max(latest, 0.0), plan.pulse));
 }
 
-/// What an excitation has of a load without harmonics.
+/// Factor of an excitation on a load without harmonics.
 double share_of(const Excitation& excitation, LoadShape shape) {
   const std::complex<double> first = excitation.harmonics.front();
   if (std::abs(first.imag()) > kNoPhase * std::abs(first) || first.real() == 0.0) {
-    throw InputError(
-        fmt::format("first harmonic of the excitation at '{}'", excitation.point),
-        fmt::format("{:g} with a phase of {:g} rad", std::abs(first), std::arg(first)),
-        fmt::format("must be other than 0 and have no phase for a {}", to_string(shape)),
-        "A sine knows phases.");
+    throw InputError(fmt::format("first harmonic of the excitation at '{}'", excitation.point),
+                     fmt::format("{:g} with a phase of {:g} rad", std::abs(first), std::arg(first)),
+                     fmt::format("must not be 0 and must have no phase for a {}", to_string(shape)),
+                     "A sine can have phases.");
   }
   if (shape == LoadShape::kShock && std::abs(first.real()) != 1.0) {
     throw InputError(fmt::format("first harmonic of the excitation at '{}'", excitation.point),
-                     first.real(), "must be 1 or -1 for a shock: its spectrum is that required",
-                     "Scale the levels that are required.");
+                     first.real(), "must be 1 or -1 for a shock: its spectrum is the required one",
+                     "Scale the required levels.");
   }
   return first.real();
 }
@@ -196,7 +195,7 @@ MadeLoad make_load(const JointedStructure& structure, const LoadPlan& asked,
     const auto same = std::ranges::find(history.forces, excitation.point, &PointForce::point);
     if (same != history.forces.end()) {
       throw InputError(fmt::format("excitation at '{}'", excitation.point), "twice",
-                       "must be one of each place");
+                       "must be only one at each place");
     }
     std::vector<double> values = is_shock
                                      ? placed(*load.shock, plan, history.time.size(), rate)

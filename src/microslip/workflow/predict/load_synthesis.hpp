@@ -38,7 +38,7 @@ struct LoadPlan {
   ShockOptions shock = {};  ///< but length, sampling rate and seed, which are those of here
   std::uint64_t seed = 1;   ///< of noise or of a shock
   double duration = 0.0;    ///< of all, s
-  /// Hz; 0: 256 times a period of the highest sine, 200 times a pulse, 32 times a period of the
+  /// Hz; 0: 256 times per period of the highest sine, 200 times a pulse, 32 times per period of the
   /// highest frequency of noise, 20 times of a shock. Between the times loads are straight.
   double sampling_rate = 0.0;
 };
@@ -62,10 +62,11 @@ struct MadeLoad {
 [[nodiscard]] MadeLoad make_load(const JointedStructure& structure, const LoadPlan& plan,
                                  const Progress& progress = {});
 
-/// The lines of a summary: what acts where, peaks and rms, and how near a shock is to its spectrum.
+/// The lines of a summary: loads and their places, peaks and rms, and the deviation of a shock from
+/// its spectrum.
 [[nodiscard]] std::string describe_load(const JointedStructure& structure, const MadeLoad& load);
 
-/// What the reader of the table must know of it, a line a fact; empty but for a shock.
+/// Notes on the table, one line per fact; empty but for a shock.
 [[nodiscard]] std::string load_comment(const LoadPlan& plan, const MadeLoad& load);
 
 }  // namespace microslip

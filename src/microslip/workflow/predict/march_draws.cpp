@@ -145,9 +145,10 @@ std::vector<Warning> gain_warnings(const ModelFile& model, const LoadHistory& lo
         std::ranges::find(loads.forces, point, &PointForce::point) != loads.forces.end();
     if (acts || model.spread.force_gain[d] == 0.0) continue;
     warnings.push_back(
-        {"gain_unused", fmt::format("gain_std of the excitation at '{}' is in no draw: no force of "
-                                    "the file acts there. Forces at other points are certain.",
-                                    point)});
+        {"gain_unused",
+         fmt::format("gain_std of the excitation at '{}' is not used by any draw: no force of the "
+                     "file acts there. Forces at other points have no uncertainty.",
+                     point)});
   }
   return warnings;
 }
@@ -161,7 +162,7 @@ DrawnMarch drawn_march(const ModelFile& model, const LoadHistory& loads, MarchOp
   result.signals = marched_signals(model.structure, loads);
   const std::size_t every = std::exchange(options.every, 1);
   drawn.check_size(result.signals.size() * recorded_rows(loads, every),
-                   "Write fewer times by `every`, or take fewer draws.");
+                   "Write fewer times with `every`, or use fewer draws.");
   KeptRows kept(loads.time.size() - 1, every, 1.0);
   result.march = march_rows(
       model.structure, loads, options, [&](const MarchRow& row) { kept.add(row); }, marching);

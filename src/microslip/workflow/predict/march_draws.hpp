@@ -22,7 +22,7 @@ namespace microslip {
 struct StatisticSpread {
   double value = 0.0;  ///< of the march of the model itself
   double lower = 0.0;  ///< of the draws
-  double upper = 0.0;  ///< likewise
+  double upper = 0.0;  ///< as above
 };
 
 /// A signal of a march.
@@ -53,13 +53,13 @@ struct DrawnMarch {
 /// loads are as given, times what the draw says of the nominal one. A draw fails that does not
 /// converge.
 /// @param model      to be marched, its response point recorded.
-/// @param loads      what acts on it.
+/// @param loads      loads on it.
 /// @param options    of the march; `points` is the response point alone.
 /// @param draws      of the model.
 /// @param drawn      which of them, and the confidence.
 /// @param execution  of the draws.
-/// @param marching   told of the times of the march of the model; may cancel.
-/// @param drawing    told of the draws done; may cancel.
+/// @param marching   reports the times of the march of the model; may cancel.
+/// @param drawing    reports the draws done; may cancel.
 /// @throws InputError  as march(); where all draws failed; as DrawOptions::check() and
 ///                     check_size().
 /// @throws Cancelled   as progress says.
@@ -69,7 +69,7 @@ struct DrawnMarch {
                                      const Execution& execution = Execution::threads(),
                                      const Progress& marching = {}, const Progress& drawing = {});
 
-/// What acts where a force is read with the gain of a draw: at the excitations the force over it.
+/// Loads where a force is measured with the gain of a draw: at the excitations the force over it.
 /// @param read  the loads. @param drawn  of the model.
 [[nodiscard]] LoadHistory loads_over_gains(const LoadHistory& read, const StructureDraw& drawn);
 

@@ -11,7 +11,7 @@
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 
 /// @file
-/// What comparisons of tests with a model share. Internal to workflow.
+/// Common to comparisons of tests with a model. Internal to workflow.
 
 namespace microslip {
 
@@ -31,7 +31,7 @@ namespace microslip {
 /// Of a draw: its accuracy is not what limits a band.
 [[nodiscard]] HarmonicBalanceOptions options_of_draws(HarmonicBalanceOptions options);
 
-/// What must be known of predicted motions: add_truncation() and add_model_warnings().
+/// Warnings on predicted motions: add_truncation() and add_model_warnings().
 /// @param kept  as there.
 [[nodiscard]] std::vector<Warning> motion_warnings(const HarmonicBalance& balance,
                                                    const ModelFile& model, Quantity kept,

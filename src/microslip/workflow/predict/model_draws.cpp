@@ -57,14 +57,14 @@ std::string share_text(const DrawsTaken& taken) {
 void DrawOptions::check() const {
   if (!(confidence > 0.0 && confidence < 1.0)) {
     throw InputError("confidence", confidence, "must be above 0 and below 1",
-                     "0.95 leaves 2.5 % of the draws on either side.");
+                     "0.95 leaves 2.5 % of the draws on each side.");
   }
   const std::size_t least = fewest(confidence);
   if (count >= least && count <= kMostDraws) return;
   throw InputError("draws", static_cast<double>(count),
                    fmt::format("must be from {}, so that one lies beyond each quantile, to {}",
                                least, kMostDraws),
-                   "1000 tell the edges of a band of 95 % to some 5 % of its width.");
+                   "1000 give the edges of a 95 % band to about 5 % of its width.");
 }
 
 std::size_t DrawOptions::fewest(double confidence) {
@@ -112,10 +112,11 @@ StructureDraws draws_of(const JointedStructure& structure, const StructureSpread
                        together ? JointPairing::kTogether : JointPairing::kIndependent,
                        options.seed);
   if (draws.any()) return draws;
-  throw InputError(fmt::format("{}: what is uncertain", name), "nothing",
-                   "must be something that draws can vary",
-                   "Name the draws of a joint by samples, or give frequency_std, loss_factor_std, "
-                   "normal_load_std or gain_std.");
+  throw InputError(
+      fmt::format("{}: uncertainty", name), "none",
+      "must include a parameter that the draws can vary",
+      "Name the draws of a joint with samples, or give frequency_std, loss_factor_std, "
+      "normal_load_std or gain_std.");
 }
 
 StructureDraws draws_of(const ModelFile& model, const std::string& file,
@@ -173,7 +174,7 @@ Band band_of(const std::vector<std::vector<double>>& lower,
   std::size_t rows = 0;
   for (const auto& values : lower) rows = std::max(rows, values.size());
   if (rows == 0) {
-    throw InputError("draws", "none that converged", "must be there to make a band");
+    throw InputError("draws", "none that converged", "must be 1 or more for a band");
   }
   Band band;
   std::vector<double> low;
@@ -254,11 +255,11 @@ std::vector<Warning> draw_warnings(const DrawsTaken& taken) {
   if (taken.failed() > 0) {
     warnings.push_back(
         {"draws_failed",
-         fmt::format("{} draws failed and are in no quantile{}. The reasons stand in the comments.",
+         fmt::format("{} draws failed and are in no quantile{}. The comments give the reasons.",
                      share_text(taken),
                      taken.too_many_failed()
                          ? fmt::format(", more than {:g} %: the band is that of the others, which "
-                                       "may be another population",
+                                       "may not be representative",
                                        100.0 * DrawsTaken::kMostFailed)
                          : "")});
   }

@@ -33,7 +33,7 @@ enum class Correlation {
 
 #pragma GCC diagnostic pop
 
-/// How many draws, and what of them is told.
+/// Number and options of draws.
 struct DrawOptions {
   std::size_t count = 0;                         ///< N; 0: none
   double confidence = 0.95;                      ///< P, share of the draws between the quantiles
@@ -63,11 +63,11 @@ struct DrawOptions {
 [[nodiscard]] StructureDraws draws_of(const ModelFile& model, const std::string& file,
                                       const DrawOptions& options);
 
-/// The same of a structure that is no file.
+/// Draws of a structure without a file, as above.
 /// @param structure     as it is thought to be.
 /// @param spread        of its numbers.
 /// @param samples       of each joint, nothing where it has none; or none.
-/// @param damping_said  of each joint: see joint_draws_of(); fewer: it is not said.
+/// @param damping_said  of each joint: see joint_draws_of(); fewer: not given.
 /// @param options       which draws.
 /// @param name          of the structure in messages.
 /// @throws InputError   as StructureDraws; where nothing is uncertain.
@@ -87,10 +87,10 @@ struct DrawOptions {
 
 /// Samples as draws of a joint.
 /// @param samples       of it.
-/// @param damping_said  the model says its linear damping: that of the draws is not used.
+/// @param damping_said  the model gives its linear damping: that of the draws is not used.
 [[nodiscard]] JointDraws joint_draws_of(JointSamples samples, bool damping_said);
 
-/// What became of the draws of a prediction.
+/// Outcome of the draws of a prediction.
 struct DrawsTaken {
   /// Draws that failed for one reason.
   struct Failure {
@@ -116,29 +116,29 @@ struct DrawsTaken {
 /// @param work       gives why the draw failed, nothing where it did not; an InputError of it
 ///                   counts as the reason. Called for several draws at once.
 /// @param execution  of the draws.
-/// @param progress   told of those done; may cancel.
+/// @param progress   reports the number done; may cancel.
 /// @return what became of them.
 /// @throws Cancelled  as progress says.
 [[nodiscard]] DrawsTaken take_draws(const DrawOptions& options,
                                     const std::function<std::string(std::size_t i)>& work,
                                     const Execution& execution, const Progress& progress);
 
-/// Quantiles of what draws gave, one a row.
+/// Quantiles of what draws gave, one per row.
 struct Band {
   std::vector<double> lower;  ///< (1 − P)/2 of them below
   std::vector<double> upper;  ///< and above
 };
 
 /// The band of values of draws that did not fail.
-/// @param lower       of each draw, one a row; empty where it failed.
+/// @param lower       of each draw, one per row; empty where it failed.
 /// @param upper       the same where a draw has one value.
 /// @param confidence  P.
 /// @throws InputError  where all failed.
 [[nodiscard]] Band band_of(const std::vector<std::vector<double>>& lower,
                            const std::vector<std::vector<double>>& upper, double confidence);
 
-/// The same of draws that have one value each.
-/// @param values      of each draw, one a row; empty where it failed.
+/// Quantiles of draws with one value each.
+/// @param values      of each draw, one per row; empty where it failed.
 /// @param confidence  P.
 [[nodiscard]] Band band_of(const std::vector<std::vector<double>>& values, double confidence);
 
@@ -153,7 +153,7 @@ struct Band {
 /// The lines of a summary on draws.
 [[nodiscard]] std::string describe_draws(const DrawsTaken& taken, const std::string& what);
 
-/// What must be known of the band.
+/// Warnings on the band.
 [[nodiscard]] std::vector<Warning> draw_warnings(const DrawsTaken& taken);
 
 }  // namespace microslip

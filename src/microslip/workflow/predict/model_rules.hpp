@@ -6,7 +6,7 @@
 #include "microslip/documents/structure/model_file.hpp"
 
 /// @file
-/// What a model may not have where it is used for less than a prediction.
+/// Restrictions on a model in uses other than prediction.
 
 namespace microslip {
 

@@ -27,10 +27,10 @@ namespace microslip {
 namespace {
 
 const std::string kModesRemedy =
-    "Give the model more modes, or what they leave out as [structure.residual]; "
-    "static_attachments = 0 in [structure] says that they leave out nothing.";
+    "Give the model more modes, or their residual as [structure.residual]; static_attachments = 0 "
+    "in [structure] states that there is none.";
 
-/// What is used and what was identified, which are not the same where the model says so. Empty
+/// Linear damping used and identified, which differ where the model specifies its own. Empty
 /// where there is neither.
 std::string damping_of(const ModelFile& model, std::size_t j) {
   const double used = model.structure.joints()[j].linear_damping;
@@ -38,8 +38,8 @@ std::string damping_of(const ModelFile& model, std::size_t j) {
   if (j < model.identified_damping.size()) identified = model.identified_damping[j].value_or(0.0);
   if (used == 0.0 && identified == 0.0) return "";
   if (used == identified) return damping_text(used) + ", as identified";
-  if (identified == 0.0) return damping_text(used) + ", as the model says";
-  return fmt::format("{}, as the model says; identified are {:.6g} J/m^2",
+  if (identified == 0.0) return damping_text(used) + ", as the model specifies";
+  return fmt::format("{}, as the model specifies; identified are {:.6g} J/m^2",
                      used == 0.0 ? "none" : damping_text(used), identified);
 }
 
@@ -92,7 +92,7 @@ std::string describe_damping(const ModelFile& model) {
 
 namespace {
 
-/// Whether a joint that nobody measured may be one without units, as of a textbook, which moves by
+/// Whether a joint that was not measured may be one without units, as of a textbook, which moves by
 /// metres: none is moved by a thousand times the displacement at which all of it has slipped.
 bool may_lack_units(const Joint& joint, double amplitude) {
   constexpr double kFar = 1e3;
@@ -161,7 +161,7 @@ std::string left_out_text(const CurveChange& change) {
 }
 
 std::string change_text(const CurveChange& change) {
-  return fmt::format("{:.2g} % of a dissipation, {:.2g} % of the level, {} looked at{}",
+  return fmt::format("{:.2g} % of a dissipation, {:.2g} % of the level, {} checked{}",
                      100.0 * change.dissipation, 100.0 * change.level,
                      counted(change.points, "point"), left_out_text(change));
 }

@@ -14,15 +14,14 @@
 #include "microslip/dynamics/march/march.hpp"
 
 /// @file
-/// What is said of predictions by a model: in tables, in summaries, as warnings.
+/// Texts on predictions by a model: in tables, in summaries, as warnings.
 
 namespace microslip {
 
-/// heading_of() of a prediction, with a line on the linear damping of each joint and on what is to
-/// be known of it: that belongs into the file.
+/// heading_of() of a prediction, with a line on the linear damping of each joint, for the file.
 [[nodiscard]] std::string heading_of(std::string_view command, const ModelFile& model);
 
-/// "4672 J/m^2 beside slip": of a joint that is by itself. Empty where β is 0.
+/// "4672 J/m^2 beside slip": of a single joint. Empty where β is 0.
 [[nodiscard]] std::string damping_text(double linear_damping);
 
 /// "0.15915, 1.2 Hz": the natural frequencies with all joints stuck.
@@ -35,29 +34,29 @@ namespace microslip {
 /// Lines of a summary on the linear damping of the joints: as identified, or as the model has it.
 [[nodiscard]] std::string describe_damping(const ModelFile& model);
 
-/// Where joints move more than in the levels that they were identified by.
+/// Warnings where joints move more than in the levels from which they were identified.
 /// @param amplitude  the largest of each joint, m.
 [[nodiscard]] std::vector<Warning> reach_warnings(const ModelFile& model,
                                                   const std::vector<double>& amplitude);
 
-/// The same of a curve, and losses that the model seems to hold twice, to its warnings: the table
-/// holds them too.
+/// Adds those of a curve, and on losses that the model seems to contain twice, to its warnings,
+/// which the table contains too.
 void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 
-/// The warning `modes_missing` of a model that does not say that it has all modes, where
+/// The warning `modes_missing` of a model that is not declared to have all modes, where
 /// missing_compliance() is much of that of a joint.
 [[nodiscard]] std::vector<Warning> mode_warnings(const ModelFile& model);
 
-/// Judges what the harmonics above leave out, by judge_truncation(), and the modes above, by
-/// judge_missing_modes() where the model does not say that none are: warnings of the curve where
-/// that is much, and lines of the summary.
+/// Estimates the effect of higher harmonics, by judge_truncation(), and of higher modes, by
+/// judge_missing_modes() unless the model is declared to have all: warnings of the curve where it
+/// is large, and lines of the summary.
 [[nodiscard]] std::string add_truncation(const HarmonicBalance& balance, const ModelFile& model,
                                          Quantity kept, ResponseCurve& curve);
 
 /// The lines of a summary on warnings.
 [[nodiscard]] std::string describe_warnings(const std::vector<Warning>& warnings);
 
-/// The same of a joint by itself that moves by so much.
+/// Warnings as above for a single joint of that amplitude.
 [[nodiscard]] std::vector<Warning> reach_warnings(const JointFile& file, double amplitude);
 
 /// The line on how it ended, broken where it is long.
@@ -67,16 +66,16 @@ void add_model_warnings(const ModelFile& model, ResponseCurve& curve);
 [[nodiscard]] std::string describe_curve(const HarmonicBalance& balance, const ResponseCurve& curve,
                                          const std::string& file);
 
-/// The same, and that there is no resonance in the range, where there is none.
+/// Adds add_model_warnings(), and a warning where there is no resonance in the range.
 void add_response_warnings(const HarmonicBalance& balance, const ModelFile& model,
                            ResponseCurve& curve);
 
-/// add_truncation() and add_response_warnings(): all that is said of a frequency response.
+/// add_truncation() and add_response_warnings(): all checks of a frequency response.
 /// @param kept  along the curve. @return as add_truncation().
 std::string judge_response(const HarmonicBalance& balance, const ModelFile& model, Quantity kept,
                            ResponseCurve& curve);
 
-/// add_truncation() and add_model_warnings(): the same of a backbone.
+/// add_truncation() and add_model_warnings(): all checks of a backbone.
 std::string judge_backbone(const HarmonicBalance& balance, const ModelFile& model,
                            ResponseCurve& curve);
 
@@ -90,8 +89,8 @@ std::string judge_backbone(const HarmonicBalance& balance, const ModelFile& mode
 [[nodiscard]] std::string describe_backbone(const std::string& file, const HarmonicBalance& balance,
                                             const ResponseCurve& curve, std::size_t mode);
 
-/// What is to be known of a march by its model: losses that it seems to hold twice, modes that it
-/// lacks, joints that moved beyond their levels.
+/// Warnings on a march by its model: losses that it seems to contain twice, modes that it lacks,
+/// joints that moved beyond their levels.
 /// @param reach  the farthest that each joint moved, m.
 [[nodiscard]] std::vector<Warning> march_warnings(const ModelFile& model,
                                                   const std::vector<double>& reach);

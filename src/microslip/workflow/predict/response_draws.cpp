@@ -90,9 +90,8 @@ void add_peak_warnings(ResponseSpread& spread) {
     if (static_cast<double>(without) <= tail * static_cast<double>(taken)) continue;
     spread.warnings.push_back(
         {"peak_missing",
-         fmt::format("{} of {} draws have no peak next to {:.6g} Hz: its band is that of the "
-                     "others. It may lie outside of the frequencies that are asked for, or melt "
-                     "into another.",
+         fmt::format("{} of {} draws have no peak near {:.6g} Hz: its band is that of the others. "
+                     "Theirs may lie outside the frequency range, or merge with another peak.",
                      without, taken, peak.frequency)});
   }
 }
@@ -118,7 +117,7 @@ DrawnResponse ResponseOfDraws::of(StructureDraw drawn) const {
   if (!curve.summary.converged()) return {.failure = curve.summary.reason};
   DrawnResponse response;
   if (!add_heights(CurveHeights(curve, kept.quantity), gain, response)) {
-    return {.failure = "its curve does not have all frequencies of the reference"};
+    return {.failure = "its curve does not cover all frequencies of the reference"};
   }
   add_peaks(curve, gain, response);
   return response;

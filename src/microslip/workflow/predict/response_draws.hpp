@@ -23,20 +23,20 @@ namespace microslip {
 struct PeakSpread {
   double frequency = 0.0;        ///< of the curve, Hz
   double frequency_lower = 0.0;  ///< of the draws, Hz
-  double frequency_upper = 0.0;  ///< likewise
+  double frequency_upper = 0.0;  ///< as above
   double height = 0.0;           ///< of the curve: response, or, where that is kept, force, N
   double height_lower = 0.0;     ///< of the draws
-  double height_upper = 0.0;     ///< likewise
+  double height_upper = 0.0;     ///< as above
   std::size_t draws = 0;         ///< that have the peak; the others do not count
 };
 
-/// What draws of a model make of a curve over the frequency.
+/// Band of a curve over frequency from draws of a model.
 struct ResponseSpread {
-  Band band;                      ///< of the height, one a point of the curve
+  Band band;                      ///< of the height, one per point of the curve
   std::vector<PeakSpread> peaks;  ///< one a peak of the curve
   /// Frequency, Hz, and height of peak p in draw i: [p][i]; NaN where the draw has none.
   std::vector<std::vector<double>> peak_frequency;
-  std::vector<std::vector<double>> peak_height;  ///< the same of its height
+  std::vector<std::vector<double>> peak_height;  ///< band of its height
   DrawsTaken taken;                              ///< what became of the draws
   std::vector<Warning> warnings;                 ///< what must be known of the band
 };
@@ -48,15 +48,15 @@ struct ResponseRange {
   double to = 0.0;    ///< rad/s
 };
 
-/// What one draw makes of a curve over the frequency.
+/// Curve over frequency of one draw.
 struct DrawnResponse {
   std::string failure = {};  ///< why there is none; empty where there is
   /// Least and largest height that may be meant at each point of the reference, as
   /// response_spread() says; equal where the draw has as many branches there.
   std::vector<double> lower = {};
-  std::vector<double> upper = {};           ///< likewise
+  std::vector<double> upper = {};           ///< as above
   std::vector<double> peak_frequency = {};  ///< of each peak of the reference, Hz; NaN without
-  std::vector<double> peak_height = {};     ///< likewise
+  std::vector<double> peak_height = {};     ///< as above
 };
 
 /// Curves of draws at the points of a reference. Several threads may ask at once.
@@ -95,7 +95,7 @@ class ResponseOfDraws {
 /// band of the draws' highest, one on its lowest of their lowest, and one between them of the
 /// branch of the same number from below of those draws that have as many. A draw with another
 /// number of branches counts, where that leaves open which is meant, with its lowest at the lower
-/// and its highest at the upper edge: it may vibrate either way.
+/// and its highest at the upper edge: it may vibrate on either branch.
 ///
 /// A peak of a draw belongs to the peak of the reference whose frequency is next to its own; of
 /// several the most pronounced.
@@ -108,7 +108,7 @@ class ResponseOfDraws {
 /// @param draws      of the model.
 /// @param options    which of them, and the confidence.
 /// @param execution  of the draws.
-/// @param progress   told of those done; may cancel.
+/// @param progress   reports the number done; may cancel.
 /// @throws InputError  where all draws failed, or as DrawOptions::check().
 /// @throws Cancelled   as progress says.
 [[nodiscard]] ResponseSpread response_spread(

@@ -72,7 +72,7 @@ RigModel model_of_rig(const std::string& rig_path, const std::string& joint_path
   }
   const std::vector<NamedInput> inputs{{rig_path, read_file(rig_path)},
                                        {joint_path, read_file(joint_path)}};
-  (void)parse_rig(inputs[0]);  // what is wrong with the first file is told first
+  (void)parse_rig(inputs[0]);  // faults of the first file are reported first
   const JointFile file = parse_joint(inputs[1].text, joint_path);
   check_name("joint", joint_path);
   RigModel model = model_of_rig(inputs[0], file, path_from(joint_path, out), modes);

@@ -29,7 +29,7 @@ struct RigModel {
 [[nodiscard]] RigModel model_of_rig(const NamedInput& rig, const JointFile& joint,
                                     const std::string& joint_path, std::size_t modes);
 
-/// The same of files.
+/// Model of a rig from files, as above.
 /// @param rig      path of rig.toml.
 /// @param joint    path of joint.json; none of standard input, which a model cannot name.
 /// @param out      where model.toml will lie: it names the joint from there.

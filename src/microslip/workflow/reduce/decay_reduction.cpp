@@ -28,7 +28,7 @@ std::vector<std::string> flags_of(const ReducedDecay& reduced) {
   return flags;
 }
 
-/// What is said of the decay above the levels.
+/// Comment on the decay above the levels.
 std::string comment_of(const ReducedDecay& reduced, std::string_view command) {
   std::string text = heading_of(command);
   text += "\nsensors: " + decay_sensors_text(reduced.decay);
@@ -107,8 +107,8 @@ std::string describe_decay(const ReducedDecay& reduced) {
                            levels.frequency.back(),
                            100.0 * (levels.frequency.back() / levels.frequency.front() - 1.0)));
   text += line("damping ratio", span(levels.damping_ratio));
-  text +=
-      line("noise", fmt::format("{:.2g} of the first amplitude, a sample", decay.summary.residual));
+  text += line("noise",
+               fmt::format("{:.2g} of the first amplitude, per sample", decay.summary.residual));
   return text + describe_warnings(reduced.warnings);
 }
 

@@ -16,7 +16,7 @@
 
 namespace microslip {
 
-/// What is to be reduced, and how.
+/// Inputs and options of reduce_decay().
 struct DecayReduction {
   std::string recording;                             ///< path
   std::vector<std::string> channels = {};            ///< of one blow; empty for the only motion
@@ -26,7 +26,7 @@ struct DecayReduction {
   RecordingReadOptions reading = {};                 ///< of the recording
 };
 
-/// What came of it.
+/// Result of reduce_decay().
 struct ReducedDecay {
   std::string source;             ///< of the recording
   RingDown decay;                 ///< its analysis

@@ -37,7 +37,7 @@ DecaySignal choose_signal(const std::vector<Recording>& recordings, const std::s
   throw InputError(what, InputState{state},
                    name.empty() ? "must have one channel of displacement, velocity or acceleration "
                                   "over time"
-                                : "must be there once",
+                                : "must be given exactly once",
                    fmt::format("The channels are {}; choose by `channel`, and give units that the "
                                "file lacks by `assume_units`.",
                                names.empty() ? "none" : names));
@@ -52,8 +52,9 @@ DecaySignal choose_signals(const std::vector<Recording>& recordings,
   for (const std::string& name : std::span(names).subspan(1)) {
     const DecaySignal other = choose_signal(recordings, name, file);
     if (other.recording != signal.recording) {
-      throw InputError(fmt::format("{}: channel {}", file, in_quotes(name)), "of another recording",
-                       fmt::format("must be recorded with {}: one blow", in_quotes(names.front())));
+      throw InputError(
+          fmt::format("{}: channel {}", file, in_quotes(name)), "of another recording",
+          fmt::format("must be recorded with {}: one impact", in_quotes(names.front())));
     }
     signal.channels.push_back(name);
   }

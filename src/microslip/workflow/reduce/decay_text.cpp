@@ -27,13 +27,13 @@ std::string decay_start_text(const RingDown& decay) {
     case DecayStart::kGiven:
       return text + "given";
     case DecayStart::kRecord:
-      return text + "the beginning of the record: no blow is in it";
+      return text + "the beginning of the record: it contains no impact";
     case DecayStart::kBlow:
-      return text + fmt::format("1.5 periods behind the blow at {:.5g} s", *decay.blow);
+      return text + fmt::format("1.5 periods after the impact at {:.5g} s", *decay.blow);
     case DecayStart::kFall:
       break;
   }
-  return text + "where the mode begins to fall";
+  return text + "where the mode begins to decay";
 }
 
 std::string decay_band_text(const RingDown& decay, bool given) {

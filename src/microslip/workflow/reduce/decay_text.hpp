@@ -8,7 +8,7 @@
 #include "microslip/signal/decay/ring_down.hpp"
 
 /// @file
-/// What is said of a decay. Internal to workflow.
+/// Texts on a decay. Internal to workflow.
 
 namespace microslip {
 

@@ -26,7 +26,7 @@ std::string channel_of(const Recording& recording, const std::string& name,
   throw InputError(
       fmt::format("{}: channel of {}", recording.source, dimension_name(dimension)),
       InputState{fits.empty() ? "missing" : fmt::format("there {} times", fits.size())},
-      "must be there once",
+      "must be given exactly once",
       fmt::format("The channels are {}; choose by `{}`, and give units that the file lacks by "
                   "`assume_units`.",
                   names_of_channels(recording), option));
@@ -49,7 +49,7 @@ ForceRecord force_record(const Recording& recording, const JointChannels& channe
   record.displacement = values_of(recording, displacement, kLength);
   if (!recording.axis.even()) {
     throw InputError(recording.source + ": time", InputState{"not evenly spaced"},
-                     "must be evenly spaced to tell motion from noise",
+                     "must be evenly spaced to distinguish motion from noise",
                      "Resample the recording at its mean rate.");
   }
   record.time_step = recording.axis.step;

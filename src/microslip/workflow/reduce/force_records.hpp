@@ -36,7 +36,7 @@ struct NamedForceRecord {
   double input = 0.0;  ///< number of its file, from 1
 };
 
-/// What several files hold.
+/// Contents of several files.
 struct ForceRecords {
   std::vector<NamedForceRecord> records = {};  ///< in the order of the files
   std::vector<InputHash> inputs = {};          ///< the files
@@ -48,12 +48,12 @@ struct ForceRecords {
                                               const JointChannels& channels,
                                               const RecordingReadOptions& reading);
 
-/// The same of files that were opened before.
+/// As above for files that were opened before.
 [[nodiscard]] ForceRecords read_force_records(const std::vector<TestFile>& files,
                                               const JointChannels& channels,
                                               const RecordingReadOptions& reading);
 
-/// What a record is at fault for names it.
+/// Errors of a record name it.
 template <typename Call>
 void of_record(const std::string& source, const Call& call) {
   try {

@@ -55,15 +55,15 @@ void check_sizes(const LevelsFile& file) {
              {kSmallestStiffness, kLargestStiffness}, kStiffness);
 }
 
-/// D of a level whose joint turns more than twice a cycle is not that of [AR14 (7)].
+/// D of a level whose joint turns more than twice per cycle is not that of [AR14 (7)].
 LevelsFile usable_levels(LevelsFile file, bool use_inner_reversals) {
   if (use_inner_reversals) return file;
   LevelsFile usable = without_inner_reversals(file);
   if (usable.levels.size() > 0) return usable;
   throw FormatError({.file = file.file, .line = file.line.front(), .column = 0},
-                    "a level with 2 reversals a cycle",
+                    "a level with 2 reversals per cycle",
                     fmt::format("inner reversals in all {}", file.levels.size()),
-                    "`inner_reversals use` takes them all the same.");
+                    "`inner_reversals use` includes them.");
 }
 
 void warn_of_reversed(const LevelsFile& all, bool used, std::vector<Warning>& warnings) {
@@ -74,7 +74,7 @@ void warn_of_reversed(const LevelsFile& all, bool used, std::vector<Warning>& wa
        fmt::format("{} of {} levels ({} {} of {}) have inner reversals; they were {}.",
                    lines.size(), all.levels.size(), lines.size() == 1 ? "line" : "lines",
                    fmt::join(lines, ", "), printable(all.file),
-                   used ? "used all the same" : "left out")});
+                   used ? "used nevertheless" : "left out")});
 }
 
 /// Flags that the levels used carry.
@@ -94,7 +94,7 @@ void warn_of_flags(const LevelsFile& file, std::vector<Warning>& warnings) {
   if (text.empty()) return;
   warnings.push_back(
       {"levels_flagged", "levels carry flags: " + text +
-                             "; the summary of the command that wrote them says what they mean."});
+                             "; the summary of the command that wrote them explains these."});
 }
 
 void check_assembly_column(const LevelsFile& file, AssemblyColumn use) {
@@ -104,13 +104,12 @@ void check_assembly_column(const LevelsFile& file, AssemblyColumn use) {
   const std::string name = fmt::format("{}: column assembly", printable(file.file));
   const std::string found = fmt::format("{} names", names.size());
   if (use == AssemblyColumn::kRefused) {
-    throw InputError(name, found, "must be one: levels of one joint are asked for",
-                     "Keep the rows of one assembly, or remove the column to take all as of one "
-                     "joint.");
+    throw InputError(name, found, "must be one: levels of one joint are needed",
+                     "Keep the rows of one assembly, or remove the column to treat all as joint.");
   }
-  throw InputError(name, found, "must be said to be assemblies that differ, or levels of one joint",
-                   "`assemblies column` finds how they differ, `assemblies none` takes all as of "
-                   "one joint.");
+  throw InputError(
+      name, found, "are ambiguous: different assemblies, or levels of one joint",
+      "Choose `assemblies column` for different assemblies, `assemblies none` for one joint.");
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ namespace microslip {
 inline constexpr double kSmallestStiffness = 1e-6;
 inline constexpr double kLargestStiffness = 1e15;  ///< N/m
 
-/// What levels of which a column `assembly` names several are.
+/// Treatment of levels of which a column `assembly` names several assemblies.
 enum class AssemblyColumn {
-  kUnsaid,   ///< nobody said it: refused, as the option `assemblies` says it
-  kRefused,  ///< levels of one joint are asked for, and nothing can say it
+  kUnsaid,   ///< not specified: refused, with the option `assemblies` as remedy
+  kRefused,  ///< refused: levels of one joint are needed
   kIgnored,  ///< of one joint
   kUsed,     ///< of several; the names may not be empty
 };
 
-/// What is taken of it.
+/// Options of level_table_of().
 struct LevelTableOptions {
   /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
   bool use_inner_reversals = false;
@@ -44,11 +44,11 @@ struct LevelTable {
 
 /// @throws FormatError             as parse_levels(), at the cell that no joint can have, and where
 ///                                 all levels have inner reversals.
-/// @throws InputError              where levels are of several assemblies and nobody said what that
-///                                 means.
+/// @throws InputError              where levels are of several assemblies and `assemblies` is not
+///                                 specified.
 [[nodiscard]] LevelTable level_table_of(NamedInput input, const LevelTableOptions& options = {});
 
-/// The same of a file. @throws FileError, FormatError, InputError  as level_table_of().
+/// Levels of a file, as above. @throws FileError, FormatError, InputError  as level_table_of().
 [[nodiscard]] LevelTable read_level_table(const std::string& path,
                                           const LevelTableOptions& options = {});
 

@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// The levels of a test. Each vector but those of `levels` is empty or has one entry a level.
+/// The levels of a test. Each vector but those of `levels` is empty or has one entry per level.
 struct MeasuredLevels {
   Levels levels;                                 ///< that the others belong to
   std::vector<std::string> source = {};          ///< of the record

@@ -109,7 +109,7 @@ bool is_nearest(const RingDown& decay, const std::vector<SoughtMode>& all, std::
 ModalDecay follow_mode(const Recording& recording, const SoughtMode& sought,
                        const RingDownOptions& given, const std::vector<SoughtMode>& all) {
   if (sought.channels.empty() || !(sought.to_response > 0.0)) {
-    throw InputError(fmt::format("mode {}", sought.number), "still at the sensors",
+    throw InputError(fmt::format("mode {}", sought.number), "no motion at the sensors",
                      "must move a sensor and the response point");
   }
   RingDownOptions options = given;
@@ -168,12 +168,11 @@ void flag_modulation(FollowedMode& mode, const std::vector<FollowedMode>& all,
     add_code(levels.flags[i], kModesModulate);
   }
   if (count == 0) return;
-  warnings.push_back(
-      {std::string(kModesModulate),
-       fmt::format("mode {}: during {} of {} levels other modes move the joints by up to {:.2g} of "
-                   "what it does: the damping is that of both together. Use the others, or excite "
-                   "the mode alone.",
-                   mode.sought.number, count, levels.time.size(), most)});
+  warnings.push_back({std::string(kModesModulate),
+                      fmt::format("mode {}: at {} of {} levels other modes move the joints by up "
+                                  "to {:.2g} of its own motion: the damping is that of both "
+                                  "together. Use the other levels, or excite the mode alone.",
+                                  mode.sought.number, count, levels.time.size(), most)});
 }
 
 void flag_shape(FollowedMode& mode, std::vector<Warning>& warnings) {
@@ -181,9 +180,10 @@ void flag_shape(FollowedMode& mode, std::vector<Warning>& warnings) {
   for (std::string& flags : mode.result.levels.flags) add_code(flags, kShapeAssumed);
   warnings.push_back(
       {std::string(kShapeAssumed),
-       fmt::format("mode {}: no sensor that it moves is at the response point: its displacement "
-                   "there is {:.4g} times that at '{}', as in the shape with stuck joints.",
-                   mode.sought.number, mode.sought.to_response, mode.sought.channels.front())});
+       fmt::format(
+           "mode {}: no sensor that it moves is at the response point: its displacement there is "
+           "taken as {:.4g} times that at '{}', as in the shape with stuck joints.",
+           mode.sought.number, mode.sought.to_response, mode.sought.channels.front())});
 }
 
 void add_decay_warnings(const FollowedMode& mode, bool several, std::vector<Warning>& warnings) {

@@ -21,7 +21,7 @@ namespace microslip {
 inline constexpr std::string_view kModesModulate = "modes_modulate";  ///< modes modulate each other
 inline constexpr std::string_view kShapeAssumed = "shape_assumed";  ///< not seen by enough sensors
 
-/// What is to be reduced, and how.
+/// Inputs and options of reduce_modal_decay().
 struct ModalDecayReduction {
   std::string recording;                   ///< path
   std::string model = {};                  ///< path of model.toml; empty: without one
@@ -40,10 +40,10 @@ struct ModalDecay {
   RingDownLevels levels;  ///< amplitudes are those of the displacement at the response point
 };
 
-/// What came of it.
+/// Result of reduce_modal_decay().
 struct ReducedModalDecay {
   std::string source;             ///< of the recording
-  std::vector<ModalDecay> modes;  ///< those that were asked for, by their number; one at least
+  std::vector<ModalDecay> modes;  ///< those that were asked for, by their number; at least one
   std::vector<Warning> warnings;  ///< of the reader, of the analyses and of what was left out
 
   /// Whether each was followed to the end of the record or to the noise.
@@ -71,7 +71,7 @@ struct ReducedModalDecay {
 /// The same with a model that need not be a file; `options.model` is its name in messages.
 [[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options,
                                                    const ModelFile& model);
-/// The same of a recording that was read before. @param file  all that its file holds.
+/// As above, of a recording that was read before. @param file  all that its file holds.
 [[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options,
                                                    const ModelFile& model, const Recordings& file);
 

@@ -17,7 +17,7 @@
 
 namespace microslip {
 
-/// What is to be reduced, and how.
+/// Inputs and options of reduce_modal_levels().
 struct ModalLevelsReduction {
   std::string model;                      ///< path of model.toml
   std::vector<std::string> recordings;    ///< paths of steady records, one or more
@@ -28,16 +28,16 @@ struct ModalLevelsReduction {
   std::optional<NamedInput> model_input = {};  ///< model.toml, where it was read before
   std::vector<TestFile> opened = {};           ///< the recordings, where they were opened before
   bool skip_faulty = false;                    ///< leaves out what cannot be read or reduced
-  Progress progress = {};                      ///< told of the records
+  Progress progress = {};                      ///< reports the records
 };
 
-/// What came of it.
+/// Result of reduce_modal_levels().
 struct ReducedModalLevels {
   NamedInput model;                            ///< as read
   std::vector<std::string> recordings;         ///< as asked for
   ModalReducer reducer;                        ///< of the model
   ModalReductionBatch batch;                   ///< may be without levels
-  std::vector<std::string> digests;            ///< SHA-256, one a recording; some may be empty
+  std::vector<std::string> digests;            ///< SHA-256, one per recording; some may be empty
   std::vector<std::vector<Warning>> warnings;  ///< of the readers, one list a recording
 };
 

@@ -27,7 +27,7 @@ std::vector<Warning> modal_levels_left_out(const ModalReductionBatch& batch) {
       batch.levels, [](const ModalLevel& level) { return level.has_flag(kNegativeDissipation); });
   if (negative > 0) {
     found.push_back(
-        {"levels_not_written", fmt::format("Not written, for their D is negative: {}", negative)});
+        {"levels_not_written", fmt::format("Not written because D is negative: {}", negative)});
   }
   for (const RejectedRecord& record : batch.rejected) {
     found.push_back({"left_out", "Left out: " + record.reason});
@@ -62,7 +62,7 @@ std::string describe_modes(const ModalReducer& reducer, const std::vector<ModalL
     text += line(fmt::format("mode {}", mode),
                  fmt::format("{}, {:.6g} Hz with stuck joints{}", counted(count, "level"),
                              reducer.stuck_frequencies()[mode - 1],
-                             reducer.options().mode ? ", as asked for" : ", the nearest"));
+                             reducer.options().mode ? ", as specified" : ", the nearest"));
   }
   return text;
 }

@@ -22,7 +22,7 @@ namespace microslip {
                                                            const RecordingReadOptions& options,
                                                            std::vector<Warning>& warnings);
 
-/// The same of a file that was opened before.
+/// As above, of a file that was opened before.
 [[nodiscard]] std::vector<Recording> read_named_recordings(const TestFile& file,
                                                            const RecordingReadOptions& options,
                                                            std::vector<Warning>& warnings);
@@ -38,7 +38,7 @@ namespace microslip {
 /// @param path  no "-". @throws FileError  where it cannot be read.
 [[nodiscard]] std::string recording_sha256(const std::string& path);
 
-/// What the readers of many recordings had to forgive, in one list, without what is said twice; of
+/// Warnings of the readers of many recordings, in one list, without duplicates; of
 /// very many the first, and how many there are.
 [[nodiscard]] std::vector<Warning> joined_warnings(
     const std::vector<std::vector<Warning>>& warnings);

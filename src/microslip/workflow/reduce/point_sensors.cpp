@@ -38,7 +38,7 @@ PointSensor parse_sensor(const std::string& text, const ModalModel& linear) {
   throw InputError(
       name, in_quotes(point),
       fmt::format("must be the name of a structure.point: {}", in_quotes(point_list(linear), 120)),
-      closest.empty() ? "" : fmt::format("Is it to be {}?", in_quotes(closest)));
+      closest.empty() ? "" : fmt::format("Did you mean {}?", in_quotes(closest)));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::vector<PointSensor> point_sensors(const std::vector<std::string>& texts,
   if (sensors.empty()) sensors = model.accelerometers;
   if (!sensors.empty()) return sensors;
   throw InputError(path + ": accelerometer", InputState{"missing"},
-                   "must tell where the channels of the recordings are",
+                   "must specify the points of the recorded channels",
                    fmt::format("Write [[accelerometer]] with channel and point, or give `sensor` "
                                "CHANNEL=POINT for each; the points are {}.",
                                in_quotes(point_list(linear), 120)));

@@ -44,13 +44,13 @@ std::size_t sum_over(const std::vector<CyclesOfRecord>& records, std::size_t Rec
                                : fmt::format("closed cycles of {} records", records.size());
   if (unresolved + coarse == 0) {
     throw InputError(name, InputState{"none"},
-                     "must be there once at least: a turn, a turn back, and the way back to the "
-                     "first, behind a range as large",
+                     "must occur at least once: a reversal, a reversal back, and the return to the "
+                     "first, after a range as large",
                      "Record two cycles or more, or identify from the record itself.");
   }
   throw InputError(
-      name, InputState{fmt::format("{} in the noise, {} of too few samples", unresolved, coarse)},
-      "must stand out of the noise and have a dozen samples",
+      name, InputState{fmt::format("{} below noise, {} with too few samples", unresolved, coarse)},
+      "must be above noise and have at least a dozen samples",
       "Record larger cycles, or sample faster.");
 }
 
@@ -85,14 +85,13 @@ void warn_of_left_out(const CyclesOfRecord& record, std::vector<Warning>& warnin
   if (found.unresolved > 0) {
     warnings.push_back(
         {"cycles_in_noise",
-         fmt::format(
-             "{} of {} are left out: up to a half range of {:.3g} m noise leaves D unknown.",
-             counted(found.unresolved, "cycle"), of, found.smallest)});
+         fmt::format("{} of {} are left out: up to a half range of {:.3g} m, D is below noise.",
+                     counted(found.unresolved, "cycle"), of, found.smallest)});
   }
   if (found.coarse > 0) {
-    warnings.push_back(
-        {"cycles_too_coarse", fmt::format("{} of {} are left out: of fewer than a dozen samples.",
-                                          counted(found.coarse, "cycle"), of)});
+    warnings.push_back({"cycles_too_coarse",
+                        fmt::format("{} of {} are left out: they have fewer than a dozen samples.",
+                                    counted(found.coarse, "cycle"), of)});
   }
 }
 
@@ -130,9 +129,9 @@ std::string describe_record(const CyclesOfRecord& record) {
   std::string text = line("record", shortened(record.source, 56));
   text += line("", counted(found.cycles.size(), "cycle"));
   if (found.force_noise == 0.0 && found.path_noise == 0.0) {
-    return text + line("", "no noise seen: no standard deviations");
+    return text + line("", "no noise detected: no standard deviations");
   }
-  return text + line("", fmt::format("noise of a sample: {:.2g} N and {:.2g} m", found.force_noise,
+  return text + line("", fmt::format("noise per sample: {:.2g} N and {:.2g} m", found.force_noise,
                                      found.path_noise));
 }
 
@@ -190,7 +189,7 @@ std::string describe_record_levels(const RecordLevels& found) {
   };
   std::string text = "Levels of closed cycles\n";
   for (const CyclesOfRecord& record : found.records) text += describe_record(record);
-  text += line("cycles", fmt::format("{}, {} of them with inner cycles, taken out", found.count(),
+  text += line("cycles", fmt::format("{}, {} of them with inner cycles, removed", found.count(),
                                      std::ranges::count_if(numbers(found, &RecordCycle::inner),
                                                            [](double n) { return n > 0.0; })));
   text += line("amplitude", span(levels.amplitude) + " m");

@@ -15,7 +15,7 @@
 
 namespace microslip {
 
-/// What is to be reduced.
+/// Inputs and options of find_record_levels().
 struct RecordLevelsOptions {
   std::vector<std::string> records;   ///< paths of recordings of one joint
   JointChannels channels = {};        ///< of each of them
@@ -30,7 +30,7 @@ struct CyclesOfRecord {
   RecordCycles found;      ///< record_cycles()
 };
 
-/// What came of it: one cycle at least.
+/// Result of find_record_levels(): at least one cycle.
 struct RecordLevels {
   std::vector<CyclesOfRecord> records = {};  ///< in the order of the files
   std::vector<InputHash> inputs = {};        ///< the files
@@ -45,10 +45,10 @@ struct RecordLevels {
 /// @throws InputError  as read_force_records() and check_records(), naming the record; where no
 ///                     cycle closes in any of them, or none stands out of the noise.
 [[nodiscard]] RecordLevels find_record_levels(const RecordLevelsOptions& options);
-/// The same of records that were read before. @throws InputError  where no cycle closes.
+/// As above, of records that were read before. @throws InputError  where no cycle closes.
 [[nodiscard]] RecordLevels find_record_levels(ForceRecords read);
 
-/// The text of levels.csv, one row a cycle, with warnings in its comment.
+/// The text of levels.csv, one row per cycle, with warnings in its comment.
 [[nodiscard]] std::string levels_text(const RecordLevels& found, std::string_view command);
 
 /// The summary.

@@ -9,7 +9,7 @@
 #include "microslip/io/uff/uff_recording.hpp"
 
 /// @file
-/// Recordings on their way from one format to another.
+/// Conversion of recordings from one format to another.
 
 namespace microslip {
 
@@ -17,7 +17,7 @@ namespace microslip {
 /// @throws InputError  where a recording lacks one.
 void choose_channels(const std::vector<std::string>& names, std::vector<Recording>& recordings);
 
-/// What the reader had to forgive, as attributes of each recording that does not say it yet. A
+/// Warnings of the reader, as attributes of each recording that does not have them yet. A
 /// universal file has no place for them.
 void add_warning_attributes(const std::vector<Warning>& warnings,
                             std::vector<Recording>& recordings);

@@ -108,7 +108,7 @@ std::string damping_of(const UffModeShape& shape) {
   if (ratio == 0.0 && shape.loss_factor.value_or(0.0) != 0.0) {
     return fmt::format("loss factor {:.4g}", *shape.loss_factor);
   }
-  if (!shape.damping_ratio) return "damping not told";
+  if (!shape.damping_ratio) return "damping not given";
   return fmt::format("damping {:.4g}", ratio);
 }
 

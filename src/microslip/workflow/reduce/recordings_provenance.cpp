@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostNamed = 4;
 
 /// The call. Of many recordings the first and the last stand for all: one name after the other,
-/// they would make a line that nobody reads.
+/// they would make an unreadable line.
 std::string short_call(const std::string& line, const std::vector<std::string>& names) {
   if (names.size() <= kMostNamed) return line;
   const std::size_t first = line.find(names.front());

@@ -7,7 +7,7 @@
 #include "microslip/io/output/provenance.hpp"
 
 /// @file
-/// What a table of levels says of the recordings it was made of. Internal to workflow.
+/// Provenance of a table of levels: the recordings it was made from. Internal to workflow.
 
 namespace microslip {
 

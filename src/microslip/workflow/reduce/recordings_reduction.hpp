@@ -20,7 +20,7 @@
 
 namespace microslip {
 
-/// What is to be reduced, and how.
+/// Inputs and options of reduce_recordings().
 struct RecordingsReduction {
   std::string rig;                      ///< path of rig.toml
   std::vector<std::string> recordings;  ///< paths of records or of stepped-sine tables, one or more
@@ -29,16 +29,16 @@ struct RecordingsReduction {
   std::optional<NamedInput> rig_input = {};  ///< rig.toml, where it was read before
   std::vector<TestFile> opened = {};         ///< the recordings, where they were opened before
   bool skip_faulty = false;                  ///< leaves out what cannot be read or reduced
-  Progress progress = {};                    ///< told of the records
+  Progress progress = {};                    ///< reports the records
 };
 
-/// What came of it.
+/// Result of reduce_recordings().
 struct ReducedRecordings {
   NamedInput rig;                              ///< as read
   std::vector<std::string> recordings;         ///< as asked for
   Reducer reducer;                             ///< of the rig
   ReductionBatch batch;                        ///< may be without levels
-  std::vector<std::string> digests;            ///< SHA-256, one a recording; some may be empty
+  std::vector<std::string> digests;            ///< SHA-256, one per recording; some may be empty
   std::vector<std::vector<Warning>> warnings;  ///< of the readers, one list a recording
 };
 
@@ -51,7 +51,7 @@ struct ReducedRecordings {
 [[nodiscard]] MeasuredLevels measured_levels(std::span<const ReducedLevel> levels);
 
 /// The text of levels.csv: levels with D ≥ 0, version and command, digests of what was read, and
-/// what is to be looked at.
+/// warnings.
 /// @throws InputError  where no level is left.
 [[nodiscard]] std::string levels_text(const ReducedRecordings& reduced, const std::string& command);
 

@@ -59,7 +59,7 @@ std::string describe_flags(const std::vector<ReducedLevel>& levels) {
   return text.empty() ? text : "Flags\n" + text;
 }
 
-/// What is not in the table, or will not be used of it.
+/// Warnings on levels that are not in the table, or will not be used.
 std::vector<Warning> left_out(const ReductionBatch& batch) {
   std::vector<Warning> found;
   const auto count = [&](std::string_view code) {
@@ -68,12 +68,12 @@ std::vector<Warning> left_out(const ReductionBatch& batch) {
   };
   if (const auto n = count(kNegativeDissipation); n > 0) {
     found.push_back(
-        {"levels_not_written", fmt::format("Not written, for their D is negative: {}", n)});
+        {"levels_not_written", fmt::format("Not written because D is negative: {}", n)});
   }
   if (const auto n = count(kInnerReversals); n > 0) {
     found.push_back(
         {"levels_with_inner_reversals",
-         fmt::format("Written, but left out of an identification for their inner reversals: {}",
+         fmt::format("Written, but left out of an identification because of inner reversals: {}",
                      n)});
   }
   const auto without_secant = std::ranges::count_if(

@@ -10,10 +10,10 @@
 
 namespace microslip {
 
-/// A reduction as text for a person: how it was done, a line a level, and what is to be looked at.
+/// Summary of a reduction: how it was done, one line per level, and warnings.
 [[nodiscard]] std::string describe_reduction(const Reducer& reducer, const ReductionBatch& batch);
 
-/// What of it is to be looked at, for the file: each kind of flag once, what is not written or left
+/// Warnings for the file: each kind of flag once, levels not written or left
 /// out.
 [[nodiscard]] std::vector<Warning> reduction_warnings(const ReductionBatch& batch);
 

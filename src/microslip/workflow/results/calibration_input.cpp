@@ -76,13 +76,13 @@ class CalibrationKeys {
 
   [[nodiscard]] double number(std::string_view key) const {
     const std::optional<double> value = number_in(values_, key);
-    if (!value) reject(key, "missing or no number");
+    if (!value) reject(key, "missing or not a number");
     return *value;
   }
 
   [[nodiscard]] std::string text(std::string_view key) const {
     const std::optional<std::string> value = text_in(values_, key);
-    if (!value) reject(key, "missing or no text");
+    if (!value) reject(key, "missing or not a text");
     return *value;
   }
 
@@ -104,14 +104,14 @@ class CalibrationKeys {
   }
 
   [[noreturn]] void reject(std::string_view key, const char* state) const {
-    throw InputError(name_of(key), InputState{state}, "must be there",
+    throw InputError(name_of(key), InputState{state}, "must be given",
                      std::string(kCalibrateAgain));
   }
 
   void check_count(std::string_view key, std::size_t found, std::size_t expected) const {
     if (found == expected) return;
     throw InputError(name_of(key), fmt::format("{} values", found),
-                     fmt::format("must be {}, as many as belong to it", expected),
+                     fmt::format("must be {}, to match the other data", expected),
                      std::string(kCalibrateAgain));
   }
 

@@ -26,7 +26,7 @@ namespace microslip {
 /// @throws FormatError  where a column is missing, or slip forces of a joint do not rise.
 [[nodiscard]] std::vector<DensityFound> densities_of(const NamedInput& input);
 
-/// The density of a joint.json with its band, and what was told of it where its file has it.
+/// The density of a joint.json with its band, and its variance reduction where the file has it.
 /// @throws InputError  where lists that belong together differ in length.
 [[nodiscard]] DensityFound density_found_of(const std::string& name, const JointFile& file,
                                             const std::string& path);

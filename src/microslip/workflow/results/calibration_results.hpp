@@ -8,11 +8,11 @@
 #include "microslip/base/summary.hpp"
 
 /// @file
-/// What a calibration left behind: joints that were found from levels of modes. All values are SI.
+/// Results of a calibration: joints that were identified from levels of modes. All values are SI.
 
 namespace microslip {
 
-/// A joint over the levels of modes. Each vector is empty or has one entry a level.
+/// A joint over the levels of modes. Each vector is empty or has one entry per level.
 struct JointOverLevels {
   std::string name = {};                          ///< in the model
   std::vector<double> amplitude = {};             ///< as found, m
@@ -23,7 +23,7 @@ struct JointOverLevels {
   std::vector<double> dissipation_upper = {};     ///< the other end, J
 };
 
-/// Levels of modes, measured and where known found. `mode` and `displacement` have one entry a
+/// Levels of modes, measured and where known found. `mode` and `displacement` have one entry per
 /// level, each other vector as many or none.
 struct LevelsOfModes {
   std::vector<std::size_t> mode = {};                   ///< from 1
@@ -42,19 +42,19 @@ struct LevelsOfModes {
   std::vector<JointOverLevels> joints = {};             ///< those of which there is a column
 };
 
-/// The density of a joint, and what the levels told of it. Vectors of one length; band and `told`
-/// may be empty.
+/// The density of a joint, and its variance reduction by the levels. Vectors of one length; band
+/// and `told` may be empty.
 struct DensityFound {
   std::string name = {};                ///< of the joint
   std::vector<double> slip_force = {};  ///< f*, N; rising
   std::vector<double> density = {};     ///< φ, 1/N
   std::vector<double> lower = {};       ///< of its band, 1/N
   std::vector<double> upper = {};       ///< of its band, 1/N
-  std::vector<double> told = {};        ///< share of the prior's variance taken, 1
+  std::vector<double> told = {};        ///< variance reduction, share of the prior's, 1
   double confidence = 0.95;             ///< of the band, 1
 };
 
-/// What a calibration says of a joint.
+/// Results of a calibration for a joint.
 struct JointSummary {
   std::string name = {};            ///< in the model
   double stiffness = 0.0;           ///< k, N/m
@@ -66,7 +66,7 @@ struct JointSummary {
   double covered_to = 0.0;          ///< kA of the highest, N
 };
 
-/// What it says of two joints, see JointPair of calibrate().
+/// Results for two joints, see JointPair of calibrate().
 struct PairSummary {
   std::string first = {};            ///< name of a joint
   std::string second = {};           ///< of another
@@ -82,7 +82,7 @@ struct ModeOffset {
   double offset = 0.0;   ///< measured over found, less 1, the mean of its levels
 };
 
-/// What calibration.json holds.
+/// Contents of calibration.json.
 struct CalibrationSummary {
   std::string status = {};                     ///< "converged"
   double levels = 0.0;                         ///< that were given

@@ -48,10 +48,18 @@ std::optional<double> confidence_in(std::string_view comment) {
   return percent ? std::optional(*percent / 100.0) : std::nullopt;
 }
 
-/// Of a line "SOURCE: QUANTITY: N of M inside, E expected; C % of the draws have so few or fewer",
-/// C for its curve. @return whether it is one.
+/// The p-value in % of a comment on a curve; nothing where there is none.
+std::optional<double> p_value_percent(std::string_view comment) {
+  constexpr std::string_view kMark = ", p-value ";
+  const std::size_t at = comment.rfind(kMark);
+  if (at == std::string_view::npos) return std::nullopt;
+  return number_before(comment.substr(at + kMark.size()), " %");
+}
+
+/// Takes the p-value of its curve from a line "SOURCE: QUANTITY: N of M inside, E expected, p-value
+/// C %". @return whether it is such a line.
 bool take_chance(const std::string& comment, std::vector<ComparedTest>& tests) {
-  const std::optional<double> percent = number_before(comment, " % of the draws have so few or");
+  const std::optional<double> percent = p_value_percent(comment);
   if (!percent) return false;
   for (ComparedTest& test : tests) {
     for (ComparedCurve& curve : test.curves) {

@@ -13,16 +13,16 @@ namespace microslip {
 /// wrong.
 [[nodiscard]] ComparisonFound comparison_of(const NamedInput& input);
 
-/// campaign.csv: rows, and the warnings of its comments. @throws FormatError  likewise.
+/// campaign.csv: rows, and the warnings of its comments. @throws FormatError  as above.
 void add_campaign_table(const NamedInput& input, CampaignFound& found);
 
-/// sessions.csv. @throws FormatError  likewise.
+/// sessions.csv. @throws FormatError  as above.
 void add_sessions(const NamedInput& input, CampaignFound& found);
 
-/// conditions.csv with the trends of its comments. @throws FormatError  likewise.
+/// conditions.csv with the trends of its comments. @throws FormatError  as above.
 void add_conditions(const NamedInput& input, CampaignFound& found);
 
-/// leave_one_out.csv. @throws FormatError  likewise.
+/// leave_one_out.csv. @throws FormatError  as above.
 void add_left_out(const NamedInput& input, CampaignFound& found);
 
 }  // namespace microslip

@@ -72,20 +72,20 @@ bool speaks_against(const ComparisonFound& found, const Warning& warning) {
 }
 
 std::string comparison_verdict(const ComparisonFound& found) {
-  if (!found.of_this_model) return "not told: the comparison is of another joint or model";
+  if (!found.of_this_model) return "not available: the comparison is of another joint or model";
   const InsideCount count = count_inside(found.tests);
   const std::string tests = counted(found.tests.size(), "test");
-  if (count.compared == 0) return fmt::format("not told: nothing of {} was predicted", tests);
+  if (count.compared == 0) return fmt::format("not available: no prediction for {}", tests);
   std::string text;
   if (count.banded > 0) {
-    text = fmt::format("{} of {} values of {} inside of their bands", count.inside, count.banded,
-                       tests);
+    text =
+        fmt::format("{} of {} values of {} inside their bands", count.inside, count.banded, tests);
     if (found.confidence) {
       text +=
           fmt::format(", {:.0f} expected", *found.confidence * static_cast<double>(count.banded));
     }
   } else {
-    text = fmt::format("{}, without bands to judge them by (verify --draws)", tests);
+    text = fmt::format("{}, without bands to assess them (verify --draws)", tests);
   }
   text += fmt::format("; largest rms differences: {}", largest_differences(found.tests));
   const std::string against = codes_against(found);

@@ -12,7 +12,7 @@
 #include "microslip/workflow/compare/test_comparison.hpp"
 
 /// @file
-/// What tests against a model, and campaigns, left behind in tables.
+/// Results of comparisons of tests with a model, and of campaigns, from their tables.
 
 namespace microslip {
 
@@ -54,9 +54,9 @@ struct LeftOutEntry {
   double upper = 0.0;           ///< J
   std::string verdict = {};     ///< "inside", "outside", "beyond"
   double mean_deviation = 0.0;  ///< of all that was left out together, 1
-  double chance = 0.0;          ///< likewise, 1
-  bool contradicts = false;     ///< likewise
-  bool judged = true;           ///< likewise: whether the others know the joints one by one
+  double chance = 0.0;          ///< p-value, 1
+  bool contradicts = false;     ///< as above
+  bool judged = true;           ///< the others determine each joint separately
 };
 
 /// A condition of conditions.csv.
@@ -65,11 +65,11 @@ struct ConditionFound {
   std::string trend = {};       ///< in words, as trend_text(); empty without one
 };
 
-/// What a campaign wrote.
+/// Results of a campaign.
 struct CampaignFound {
   std::vector<CampaignEntry> entries = {};      ///< of campaign.csv
   std::vector<SessionEffect> sessions = {};     ///< of sessions.csv
-  std::string repeatability = {};               ///< likewise, in words; may be empty
+  std::string repeatability = {};               ///< in words; may be empty
   std::vector<ConditionFound> conditions = {};  ///< of conditions.csv
   std::vector<LeftOutEntry> left_out = {};      ///< of leave_one_out.csv
   std::vector<Warning> warnings = {};           ///< of campaign.csv
@@ -88,7 +88,7 @@ struct InsideCount {
 /// Counts them.
 [[nodiscard]] InsideCount count_inside(const std::vector<ComparedTest>& tests);
 
-/// What a comparison says of the model, in one sentence or two: how many values of how many tests
+/// Verdict of a comparison on the model, in one or two sentences: how many values of how many tests
 /// lie in their bands against how many are expected, by how much they differ without bands, and the
 /// warnings that speak against it, by their codes.
 [[nodiscard]] std::string comparison_verdict(const ComparisonFound& found);

@@ -13,13 +13,13 @@
 namespace microslip {
 namespace {
 
-/// φ of draw i at slip forces: ψ(f*/k)/k², 0 beyond its knots.
+/// φ of draw i at slip forces: ψ(f*/k)/k², 0 beyond its points.
 std::vector<double> density_of_draw(const JointSamples& samples, std::size_t i,
                                     const std::vector<double>& slip_force) {
-  const std::size_t knots = samples.slip_displacement.size();
+  const std::size_t points = samples.slip_displacement.size();
   const double k = samples.stiffness[i];
-  const auto begin = samples.stiffness_density.begin() + static_cast<std::ptrdiff_t>(i * knots);
-  const std::vector<double> psi(begin, begin + static_cast<std::ptrdiff_t>(knots));
+  const auto begin = samples.stiffness_density.begin() + static_cast<std::ptrdiff_t>(i * points);
+  const std::vector<double> psi(begin, begin + static_cast<std::ptrdiff_t>(points));
   std::vector<double> density;
   density.reserve(slip_force.size());
   for (const double force : slip_force) {

@@ -61,7 +61,7 @@ std::string name_of_folder(const std::string& folder) {
 /// Reads the files of a folder into results.
 class FolderReader {
  public:
-  /// @param records  of force and displacement that are read. @param progress  told of them.
+  /// @param records  of force and displacement that are read. @param progress  reports them.
   FolderReader(std::string folder, std::span<const std::size_t> records, const Progress& progress)
       : folder_(std::move(folder)), records_(records), progress_(progress) {}
 
@@ -107,7 +107,7 @@ class FolderReader {
     }
   }
 
-  /// What a calibration of several joints wrote.
+  /// Results of a calibration of several joints.
   void read_calibration() {
     std::vector<std::string> hashes;  // of what calibration.json was made from
     if (const auto input = find("calibration.json")) {
@@ -139,8 +139,8 @@ class FolderReader {
     if (hashes.empty() || own.empty() || own == hashes) return;
     results_.warnings.push_back(
         {"files_of_other_calibration",
-         fmt::format("{} is not of the calibration that calibration.json is of: calibrate again, "
-                     "or what is shown does not belong together.",
+         fmt::format("{} and calibration.json are of different calibrations: calibrate again, or "
+                     "the results shown are inconsistent.",
                      fs::path(input.path).filename().string())});
   }
 
@@ -161,8 +161,8 @@ class FolderReader {
     IdentifiedJoint& joint = *results_.joint;
     if (!is_density_of(table, joint.joint)) {
       results_.warnings.push_back({"density_of_other_joint",
-                                   "density.csv holds another density than joint.json: it is not "
-                                   "shown. Write both by one microslip identify."});
+                                   "density.csv contains another density than joint.json: it is "
+                                   "not shown. Write both with one microslip identify."});
     } else if (joint.band_slip_force.empty() && !table.lower.empty()) {
       joint.band_slip_force = table.slip_force;
       joint.band_lower = table.lower;
@@ -191,8 +191,8 @@ class FolderReader {
       results_.predictions_are_of_this_joint = false;
       results_.warnings.push_back(
           {name == "joint.json" ? "verification_of_other_joint" : "verification_of_other_rig",
-           fmt::format("{} was not made with the {} beside it. Verify again, or the predictions do "
-                       "not belong to the rest.",
+           fmt::format("{} was not made with the {} in this folder. Verify again, or the "
+                       "predictions are inconsistent with the rest.",
                        fs::path(input.path).filename().string(), name)});
     }
   }
@@ -262,8 +262,8 @@ class FolderReader {
     if (results_.joint) results_.joint->from_these_levels = same;
     if (!identified_from_.empty() && !same) {
       results_.warnings.push_back({"joint_from_other_levels",
-                                   "joint.json was not identified from the levels.csv beside it. "
-                                   "Identify it again, or the figures do not belong together."});
+                                   "joint.json was not identified from the levels.csv in this "
+                                   "folder. Identify it again, or the figures are inconsistent."});
     }
   }
 
@@ -272,10 +272,10 @@ class FolderReader {
     if (!input) return;
     results_.rig = parse_rig(input->text, input->path);
     if (!was_made_with(reduced_with_, "rig.toml")) {
-      results_.warnings.push_back({"levels_of_other_rig",
-                                   "levels.csv was not reduced with the rig.toml beside it. Reduce "
-                                   "the recordings again, or "
-                                   "predictions do not belong to the levels."});
+      results_.warnings.push_back(
+          {"levels_of_other_rig",
+           "levels.csv was not reduced with the rig.toml in this folder. Reduce the recordings "
+           "again, or predictions are inconsistent with the levels."});
     }
     add_predictions(results_);
   }
@@ -299,7 +299,7 @@ class FolderReader {
     }
   }
 
-  /// A table of that kind; another of the same name is told of, and left alone.
+  /// A table of that kind; another of the same name gives a warning and is not read.
   std::optional<NamedInput> find(const std::string& name, std::string_view kind) {
     const std::string path = folder_ + "/" + name;
     std::error_code none;
@@ -348,8 +348,8 @@ class FolderReader {
       results_.comparison->of_this_model = false;
       results_.warnings.push_back(
           {"comparison_of_other_model",
-           fmt::format("comparison.csv was not made with the {} beside it. Verify again, or it "
-                       "does not belong to the rest.",
+           fmt::format("comparison.csv was not made with the {} in this folder. Verify again, or "
+                       "it is inconsistent with the rest.",
                        name)});
     }
   }
@@ -362,7 +362,7 @@ class FolderReader {
     return sha256(read_file(path));
   }
 
-  /// What a campaign wrote beside its levels, joint and comparison.
+  /// Results of a campaign other than its levels, joint and comparison.
   void read_campaign() {
     CampaignFound found;
     const auto campaign = find("campaign.csv", kCampaignTableKind);
@@ -373,11 +373,10 @@ class FolderReader {
       const auto input = find(name, kind);
       if (!input) return;
       if (hashes_in(*input) != campaign_hashes_) {
-        results_.warnings.push_back(
-            {"files_of_other_campaign",
-             fmt::format("{} is not of the campaign that campaign.csv is of: it is not shown. Run "
-                         "the campaign again.",
-                         name)});
+        results_.warnings.push_back({"files_of_other_campaign",
+                                     fmt::format("{} and campaign.csv are of different campaigns: "
+                                                 "it is not shown. Run the campaign again.",
+                                                 name)});
         return;
       }
       add(*input, found);
@@ -456,8 +455,7 @@ ExperimentResults read_experiment(const std::string& folder, std::size_t records
                                   const Progress& progress) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    throw FileError(folder, "is no folder",
-                    "Name the folder that holds levels.csv and joint.json.");
+    throw FileError(folder, "is not a folder", "Name the folder with levels.csv and joint.json.");
   }
   std::vector<std::size_t> first(records);
   std::iota(first.begin(), first.end(), std::size_t{0});

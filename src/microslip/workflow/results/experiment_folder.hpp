@@ -14,14 +14,14 @@ namespace microslip {
 /// So many records are taken over time if nothing else is asked for.
 inline constexpr std::size_t kRecordsOverTime = 8;
 
-/// What a folder has of a test: levels.csv, joint.json, density.csv, rig.toml, truth_joint.json,
+/// Results of a test in a folder: levels.csv, joint.json, density.csv, rig.toml, truth_joint.json,
 /// truth.csv, force_control.csv, verification.csv, verification_histories.csv and
 /// recordings/level_*. Each may be missing. A recording that cannot be read is a warning, anything
 /// else an error.
 /// @param folder    of the test.
 /// @param records   so many recordings are taken over time, all others by their harmonics; 0 reads
 ///                  none.
-/// @param progress  told of the recordings.
+/// @param progress  reports the recordings.
 /// @throws FileError, FormatError, InputError  as the readers of these files.
 /// @throws Cancelled  as the progress says.
 [[nodiscard]] ExperimentResults read_experiment(const std::string& folder, std::size_t records = 0,

@@ -29,7 +29,7 @@ constexpr std::size_t kMostHarmonicValues = 30000;  // of all records: as much a
 constexpr std::uintmax_t kMostBytes = 400'000'000;  // of all records: some 10 s
 constexpr std::string_view kLevelPrefix = "level_";
 
-/// What was recorded at the level before the force was controlled, "…/before_control_07.csv".
+/// Recording of the level before force control, "…/before_control_07.csv".
 std::string name_before_control(std::string name) {
   return name.replace(name.rfind(kLevelPrefix), kLevelPrefix.size(), "before_control_");
 }
@@ -100,7 +100,7 @@ class RecordingsReader {
       if (const std::size_t count = file.recordings.size(); count > 1) {
         results_.warnings.push_back(
             {"first_recording_shown",
-             fmt::format("{} holds {} recordings; the first is shown.", path_of(name), count)});
+             fmt::format("{} contains {} recordings; the first is shown.", path_of(name), count)});
       }
       note_file(name);
       return record;

@@ -35,7 +35,7 @@ void check_lengths(const MeasuredLevels& test) {
 void check_same(const std::string& name, std::size_t length, std::size_t expected) {
   if (length == expected) return;
   throw InputError(name + ".size()", fmt::format("{}", length),
-                   fmt::format("must be {}, that of what belongs to it", expected));
+                   fmt::format("must be {}, that of the corresponding data", expected));
 }
 
 void check_lengths(const IdentifiedJoint& found) {

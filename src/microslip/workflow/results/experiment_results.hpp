@@ -18,7 +18,7 @@
 #include "microslip/workflow/results/predicted_curves.hpp"
 
 /// @file
-/// What a test and its evaluation left behind. All values are SI.
+/// Results of a test and of its evaluation. All values are SI.
 
 namespace microslip {
 
@@ -30,7 +30,7 @@ struct DepartureFound {
   bool broken = false;         ///< whether it is there
 };
 
-/// What the identification says of a record of force and displacement.
+/// Results of the identification for a record of force and displacement.
 struct RecordFound {
   std::string source = {};                    ///< its file, as its call named it
   std::string start = {};                     ///< "virgin" or "unknown": the state it begins in
@@ -49,13 +49,13 @@ struct BandedValue {
   double upper = 0.0;  ///< the other end
 };
 
-/// What an identification from records of force and displacement says.
+/// Results of an identification from records of force and displacement.
 struct FoundByRecords {
   std::optional<BandedValue> stiffness = {};  ///< k, N/m; nothing where it was given
   std::optional<BandedValue> elastic = {};    ///< K_e, N/m
   std::optional<BandedValue> viscous = {};    ///< c, N s/m; nothing where it was not sought
   std::optional<double> draws = {};           ///< of the posterior
-  std::vector<RecordFound> records = {};      ///< one a record
+  std::vector<RecordFound> records = {};      ///< one per record
 };
 
 /// A record of force and displacement, and what the joint makes of its path. Vectors of one length.
@@ -72,10 +72,10 @@ struct ForcePath {
 };
 
 /// The status of an identification whose file does not tell it.
-inline constexpr std::string_view kStatusNotTold = "not told by the file";
+inline constexpr std::string_view kStatusNotTold = "not given in the file";
 
-/// A joint with what its identification said. A joint without a method was not identified as far as
-/// its file tells, and the report does not say so.
+/// A joint with the results of its identification. A joint without a method was not identified as
+/// far as its file tells, and the report does not say so.
 struct IdentifiedJoint {
   Joint joint;                                    ///< as identified
   std::string method = {};                        ///< "inversion"
@@ -92,7 +92,7 @@ struct IdentifiedJoint {
   bool scatter_is_relative = true;            ///< to D; in the standard deviations given otherwise
   std::optional<double> secant_scatter = {};  ///< of k_eq, in the standard deviations given
   std::optional<double> lambda = {};          ///< its smoothing, as its method scales it
-  std::string smoothing = {};                 ///< how λ was chosen: "as asked for"
+  std::string smoothing = {};                 ///< how λ was chosen: "as specified"
   std::optional<double> degrees_of_freedom = {};  ///< of the smoothed fit, 1
   /// Of a parametric model: names with units, and values with their standard errors.
   std::vector<std::pair<std::string, std::string>> parameters = {};
@@ -124,7 +124,7 @@ struct HarmonicsPair {
   std::vector<double> recorded_std = {};
 };
 
-/// What the force control did at a level. [AR14 Fig. 7]
+/// History of the force control at a level. [AR14 Fig. 7]
 struct ForceControlLevel {
   std::string level;      ///< its name or number
   double response = 0.0;  ///< acceleration amplitude at the exciter, m/s²
@@ -133,7 +133,7 @@ struct ForceControlLevel {
   std::vector<double> after;   ///< with it
 };
 
-/// What was recorded at a level.
+/// Recordings of a level.
 struct LevelRecord {
   std::string source;                    ///< its file
   std::vector<SignalPair> signals;       ///< over some cycles
@@ -144,7 +144,7 @@ struct LevelRecord {
 struct ConstantResponse {
   double response = 0.0;          ///< acceleration amplitude at the exciter, m/s²
   std::vector<double> frequency;  ///< Hz
-  std::vector<double> force;      ///< amplitude of the first harmonic, N; one a frequency
+  std::vector<double> force;      ///< amplitude of the first harmonic, N; one per frequency
   /// The same by the true joint of a virtual test, Hz; empty where there is none.
   std::vector<double> true_frequency = {};
   std::vector<double> true_force = {};  ///< N; one a true frequency
@@ -180,15 +180,15 @@ struct SourceFile {
   std::string made_by;  ///< command, where the file tells
 };
 
-/// What there is; sections without data say which command makes them.
+/// All results; sections without data name the command that makes them.
 struct ExperimentResults {
   std::string title = {};                     ///< of the report
   std::string subtitle = {};                  ///< below it
   std::optional<Rig> rig = {};                ///< that was tested
   std::optional<MeasuredLevels> levels = {};  ///< as measured
   std::optional<IdentifiedJoint> joint = {};  ///< as identified
-  /// What the joint was identified with, as far as its file tells; stiffness and bands are not
-  /// used.
+  /// Options of the identification of the joint, as far as its file gives them; stiffness and bands
+  /// are not used.
   IdentificationOptions options = {};
   std::optional<Joint> truth = {};                 ///< of a virtual test
   double true_linear_damping = 0.0;                ///< β of the truth, J/m²
@@ -196,11 +196,11 @@ struct ExperimentResults {
   /// The other: before force control. Some may have harmonics alone.
   std::vector<LevelRecord> records = {};
   std::size_t record_count = 0;  ///< of the test that can be read; `records` are some
-  std::vector<ForceControlLevel> force_control = {};   ///< one a level that was controlled
+  std::vector<ForceControlLevel> force_control = {};   ///< one per level that was controlled
   std::vector<ConstantResponse> responses = {};        ///< predicted by the joint
   std::optional<JointBackbone> backbone = {};          ///< predicted by the joint
   std::optional<JointBackbone> true_backbone = {};     ///< of a virtual test
-  std::vector<ChannelMisfit> comparisons = {};         ///< one a channel and record
+  std::vector<ChannelMisfit> comparisons = {};         ///< one per channel and record
   std::vector<LevelRecord> predictions = {};           ///< recorded, and predicted as the other
   PredictedCurves curves = {};                         ///< of a model, by frf and others
   std::optional<ComparisonFound> comparison = {};      ///< tests against a model

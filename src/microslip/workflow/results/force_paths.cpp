@@ -44,15 +44,13 @@ FoundInput find_input(const InputHash& input, const std::string& folder) {
 
 Warning missing_warning(const InputHash& input, bool changed) {
   if (changed) {
-    return {"record_changed",
-            fmt::format("{} is not the file that joint.json was identified from: it is not shown. "
-                        "Identify the joint again.",
-                        input.file)};
+    return {"record_changed", fmt::format("{} is not the file from which joint.json was "
+                                          "identified: it is not shown. Identify the joint again.",
+                                          input.file)};
   }
-  return {"record_missing",
-          fmt::format("{}, which joint.json was identified from, is not there: it is not shown. "
-                      "Copy it beside joint.json.",
-                      input.file)};
+  return {"record_missing", fmt::format("{}, from which joint.json was identified, is missing: it "
+                                        "is not shown. Copy it next to joint.json.",
+                                        input.file)};
 }
 
 /// As the call of the identification had them.
@@ -108,7 +106,7 @@ class ForcePathReader {
       out_.warnings.push_back(missing_warning(hash, found.changed));
       return;
     }
-    std::vector<Warning> warnings;  // said by the identification
+    std::vector<Warning> warnings;  // of the identification
     recordings_ =
         read_named_recordings(found.path, reading_of(file_.provenance->options), warnings);
     const bool inside = found.path.starts_with(folder_ + "/");

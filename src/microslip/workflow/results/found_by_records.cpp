@@ -74,7 +74,7 @@ class RecordKeys {
   void check_count(const std::string& key, std::size_t found, std::size_t expected) const {
     if (found == expected) return;
     throw InputError(name_of(key), fmt::format("{} values", found),
-                     fmt::format("must be {}, as many as belong to it", expected), kAgain);
+                     fmt::format("must be {}, to match the other data", expected), kAgain);
   }
 
   const NamedValues& identification_;

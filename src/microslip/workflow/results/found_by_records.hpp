@@ -9,7 +9,7 @@
 #include "microslip/workflow/results/experiment_results.hpp"
 
 /// @file
-/// What joint.json says of an identification from records of force and displacement, and of what
+/// Results in joint.json of an identification from records of force and displacement, and of what
 /// levels were tested for. Internal to workflow.
 
 namespace microslip {
@@ -21,7 +21,7 @@ namespace microslip {
 [[nodiscard]] std::optional<FoundByRecords> found_by_records(const JointFile& file,
                                                              const std::string& path);
 
-/// What the levels of an identification without records were tested for; empty where there is
+/// Tests of the assumptions in an identification without records; empty where there is
 /// nothing.
 /// @throws InputError  naming the key of which there are fewer or more values than departures.
 [[nodiscard]] std::vector<DepartureFound> departures_of_levels(const JointFile& file,

@@ -7,8 +7,8 @@
 #include "microslip/workflow/results/sampled_curves.hpp"
 
 /// @file
-/// What the levels of a test say by themselves, and held against the joint of its results. Vectors
-/// have one entry a level.
+/// Quantities of the levels of a test, alone and compared with the joint of its results. Vectors
+/// have one entry per level.
 
 namespace microslip {
 

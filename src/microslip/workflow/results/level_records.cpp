@@ -38,7 +38,7 @@ FourierFit fit_of(const Recording& recording, const std::vector<const Channel*>&
   for (const Channel* channel : channels) signals.emplace_back(channel->values);
   FourierFit fit = fit_fourier(recording.axis, signals, {.seek_longer_period = false});
   if (fit.summary.converged()) return fit;
-  throw InputError(recording.source, "this record", "must hold a steady vibration",
+  throw InputError(recording.source, "this record", "must contain a steady vibration",
                    fit.summary.reason);
 }
 

@@ -12,7 +12,7 @@
 #include "microslip/workflow/results/sampled_curves.hpp"
 
 /// @file
-/// What was recorded at the levels of a test.
+/// Recordings of the levels of a test.
 
 namespace microslip {
 

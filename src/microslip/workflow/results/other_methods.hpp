@@ -9,7 +9,7 @@
 #include "microslip/workflow/results/sampled_curves.hpp"
 
 /// @file
-/// What other methods and other smoothing make of the levels of a test.
+/// Results of other methods and other smoothing from the levels of a test.
 
 namespace microslip {
 
@@ -27,7 +27,7 @@ struct MeasuredSlopes {
 /// @param methods  of two levels or more.
 [[nodiscard]] MeasuredSlopes measured_slopes(const MethodComparison& methods);
 
-/// What was found with a multiple of the smoothing parameter λ.
+/// Result with a multiple of the smoothing parameter λ.
 struct VariedSmoothing {
   double factor;         ///< of λ; 1 is the chosen one
   Identification found;  ///< with it

@@ -31,7 +31,7 @@ void join_edges(std::vector<EnsembleCurve>& curves) {
   }
 }
 
-/// What a column of a march shows: "NAME force" of a joint, "force at POINT", "velocity".
+/// Quantity of a column of a march: "NAME force" of a joint, "force at POINT", "velocity".
 HistorySignal named_signal(const std::string& column) {
   for (const std::string quantity : {"displacement", "force"}) {
     const std::string ending = " " + quantity;

@@ -8,16 +8,16 @@
 #include "microslip/base/units.hpp"
 
 /// @file
-/// What predictions wrote, as curves.
+/// Results of predictions, as curves.
 
 namespace microslip {
 
 class CsvTable;
 
-/// Between which values the draws of a curve lie, one a point; empty without draws.
+/// Between which values the draws of a curve lie, one per point; empty without draws.
 struct CurveBand {
   std::vector<double> lower = {};  ///< in the unit of the curve
-  std::vector<double> upper = {};  ///< likewise
+  std::vector<double> upper = {};  ///< as above
 };
 
 /// Steady vibrations over frequency; one length.
@@ -40,12 +40,12 @@ struct PredictedBackbone {
   CurveBand damping_band = {};        ///< 1
 };
 
-/// What a shock does to masses on springs; one length.
+/// Response of oscillators to a shock; one length.
 struct ShockSpectrum {
   std::vector<double> frequency;  ///< natural, Hz
-  std::vector<double> maximax;    ///< of the absolute acceleration, either way, m/s²
-  std::vector<double> positive;   ///< one way, m/s²
-  std::vector<double> negative;   ///< the other way, as a value above 0, m/s²
+  std::vector<double> maximax;    ///< of the absolute acceleration, in either direction, m/s²
+  std::vector<double> positive;   ///< in positive direction, m/s²
+  std::vector<double> negative;   ///< in negative direction, as a value above 0, m/s²
 };
 
 /// Dissipation, secant stiffness and loss factor of a joint; one length.
@@ -69,7 +69,7 @@ struct HistorySignal {
   CurveBand band = {};         ///< of `values`
 };
 
-/// What many jobs give of a quantity, at one place or along an axis; one length.
+/// Statistics of many jobs for a quantity, at one place or along an axis; one length.
 struct EnsembleCurve {
   std::string group;                ///< of the jobs
   std::string output;               ///< its name

@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// Of `source, time [s], <channel>_<recorded> [unit], <channel>_<other> [unit]…`, one entry a
+/// Of `source, time [s], <channel>_<recorded> [unit], <channel>_<other> [unit]…`, one entry per
 /// source.
 /// @throws FormatError  where a column is missing.
 [[nodiscard]] std::vector<LevelRecord> histories_of(const CsvTable& table,

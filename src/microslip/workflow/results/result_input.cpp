@@ -66,19 +66,19 @@ void add_recorded(const std::string& path, ResultInput& input) {
   }
 }
 
-/// "test/a and test/b hold results." of a folder that holds none itself.
+/// "Name one of the folders in it with results: a, b." for a folder that has none itself.
 std::string folders_text(const std::string& path) {
   constexpr std::size_t kFew = 4;
   std::vector<std::string> found =
       folders_holding(path, {"levels.csv", "joint.json", "density.csv", "calibration.csv"});
   if (found.empty()) {
-    return "Name a folder that holds levels.csv, joint.json or calibration.csv, or a result.";
+    return "Name a folder with levels.csv, joint.json or calibration.csv, or a result.";
   }
   for (std::string& one : found) one = std::filesystem::path(one).lexically_normal().string();
   const char* more = found.size() > kFew ? " and others" : "";
   found.resize(std::min(found.size(), kFew));
-  return fmt::format("Name one of the folders in it that hold results: {}{}.",
-                     fmt::join(found, ", "), more);
+  return fmt::format("Name one of the folders in it with results: {}{}.", fmt::join(found, ", "),
+                     more);
 }
 
 /// @return whether the text is one of the tables and models of this program.
@@ -129,7 +129,7 @@ void add_record(const JointFile& file, const std::string& folder, std::size_t re
   if (!found.warnings.empty()) input.no_record = found.warnings.front().text;
 }
 
-/// What lies beside a file.
+/// Files next to a file.
 std::string folder_of(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   return folder.empty() ? "." : folder;
@@ -159,8 +159,7 @@ TimeCut cut_of(const ResultInput& input, const std::vector<double>& time, double
   TimeCut cut(time, from, to);
   if (cut.size() >= 2) return cut;
   throw InputError("`time`", fmt::format("{:g}:{:g}", from, to),
-                   fmt::format("must hold two samples or more of {}, which reaches from {:g} to "
-                               "{:g} s",
+                   fmt::format("must contain two or more samples of {}, which spans {:g} to {:g} s",
                                input.name, time.front(), time.back()));
 }
 
@@ -179,7 +178,7 @@ ResultInput read_result(const std::string& path, std::size_t record) {
     input.instead = folders_text(path);
     return input;
   }
-  // What is no table or model of this program may be a recording of any size.
+  // A file of another kind may be a recording of any size.
   const std::string head = path == "-" ? read_file(path) : read_kind_head(path);
   const std::string kind = file_kind(head);
   if (add_text(kind, path == "-" ? head : read_file(path), input.name, input)) {
@@ -215,7 +214,7 @@ ResultInput read_joints(const std::vector<std::string>& paths) {
         path == "-" ? std::string(kJointKind) : file_kind(read_kind_head(path));
     if (kind != kJointKind) {
       throw InputError("IN", in_quotes(path), "must be a joint.json where several are named",
-                       "Draw it by itself.");
+                       "Draw it separately.");
     }
     input.test.densities.push_back(density_found_of(name, read_joint(path), path));
   }

@@ -28,7 +28,7 @@ struct DensityCurve {
   bool of_records = false;                   ///< covered by records, not by levels
 };
 
-/// What a folder or a file holds of results.
+/// Results in a folder or a file.
 struct ResultInput {
   std::string name;                          ///< of the folder or file, for messages
   std::string instead = {};                  ///< what to name where it holds no figure, a sentence
@@ -39,7 +39,7 @@ struct ResultInput {
   std::optional<ShockSpectrum> spectrum = {};        ///< of a CSV of spectrum
   std::optional<DissipationCurve> dissipation = {};  ///< of a CSV of dissipation
   std::optional<DisplacementPath> path = {};         ///< of a CSV of loop
-  std::vector<double> path_force = {};               ///< N, one a point of the path
+  std::vector<double> path_force = {};               ///< N, one per point of the path
   CurveBand path_band = {};                          ///< of the force, N
   std::vector<EnsembleCurve> ensemble = {};          ///< of a CSV of ensemble
   std::vector<ComparedTest> compared = {};           ///< of a CSV of verify, of tests of a model

@@ -28,7 +28,7 @@ std::string smoothing_of(const JointFile& file) {
   const std::optional<std::string> asked =
       file.provenance ? text_in(file.provenance->options, "smoothing") : std::nullopt;
   if (!asked) return {};
-  return *asked == "gcv" ? "generalised cross-validation" : "as asked for";
+  return *asked == "gcv" ? "generalised cross-validation" : "as specified";
 }
 
 /// " N" of forces; other parameters have no unit, or one that the model gives.
@@ -42,7 +42,7 @@ std::vector<std::pair<std::string, std::string>> parameters_in(const NamedValues
   std::vector<std::pair<std::string, std::string>> parameters;
   for (const auto& [key, value] : record) {
     if (!key.starts_with(kFitted) || !std::holds_alternative<double>(value)) continue;
-    if (key.ends_with("linear_damping")) continue;  // told beside the parameters
+    if (key.ends_with("linear_damping")) continue;  // shown with the parameters
     const std::string name = key.substr(kFitted.size());
     const std::optional<double> error = number_in(record, "std_" + name);
     std::string text = fmt::format("{:.4g}", std::get<double>(value));
@@ -60,7 +60,7 @@ void check_band(const IdentifiedJoint& joint, const std::string& path) {
     if (size == joint.band_slip_force.size()) return;
     throw InputError(
         fmt::format("{}: identification.{}", path, key), fmt::format("{} numbers", size),
-        fmt::format("must be {}, one a value of band_slip_force_N", joint.band_slip_force.size()),
+        fmt::format("must be {}, one per value of band_slip_force_N", joint.band_slip_force.size()),
         "Identify the joint again with `bands`.");
   };
   check("band_lower_per_N", joint.band_lower.size());

@@ -16,7 +16,7 @@
 
 namespace microslip {
 
-/// What is not in the file is "not told by the file".
+/// Missing texts are "not given in the file".
 /// @throws InputError  where the lists of the band are not of one length.
 [[nodiscard]] IdentifiedJoint joint_of(const JointFile& file, const std::string& path);
 

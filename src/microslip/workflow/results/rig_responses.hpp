@@ -4,7 +4,7 @@
 #include "microslip/workflow/results/experiment_results.hpp"
 
 /// @file
-/// What a joint predicts for the rig, for the report.
+/// Predictions of a joint for the rig, for the report.
 
 namespace microslip {
 

@@ -39,14 +39,14 @@ std::optional<Warning> foreign_misfit(const ExperimentResults& results,
   if (!(misfit.rms > kLargest * scatter)) return std::nullopt;
   return Warning{
       "joint_misses_levels",
-      fmt::format("D of the joint is off that of the levels by {}, far beyond their scatter: the "
-                  "joint {}.",
+      fmt::format("D of the joint differs from that of the levels by {}, far beyond their scatter: "
+                  "the joint {}.",
                   misfit_text(results),
-                  joint.from_these_levels ? "does not fit, or was changed after its identification"
-                                          : "is not that of these levels")};
+                  joint.from_these_levels ? "does not fit, or was changed after identification"
+                                          : "was not identified from these levels")};
 }
 
-/// The stiffness of the levels held against the joint, as its identification does it. The resonance
+/// The stiffness of the levels compared with the joint, as in its identification. The resonance
 /// where it was measured, else the drive.
 std::vector<Warning> judge_stiffness(const ExperimentResults& results) {
   const MeasuredLevels& test = *results.levels;
@@ -88,7 +88,7 @@ std::vector<Warning> said_by_identification(const IdentifiedJoint& joint) {
   for (std::size_t i = 0; i < joint.warnings.size(); ++i) {
     said.push_back({joint.warnings[i], i < joint.warning_texts.size()
                                            ? joint.warning_texts[i]
-                                           : "Said by the identification:"});
+                                           : "From the identification:"});
   }
   return said;
 }
@@ -119,9 +119,8 @@ double beyond_noise(const ChannelMisfit& row) {
 
 std::string misfit_text(const ExperimentResults& results) {
   const Misfit misfit = misfit_of_levels(results);
-  return misfit.in_deviations
-             ? fmt::format("{:.3g} of the standard deviations of D, rms", misfit.rms)
-             : fmt::format("{} of D, rms", percent_text(misfit.rms));
+  return misfit.in_deviations ? fmt::format("{:.3g} standard deviations of D, rms", misfit.rms)
+                              : fmt::format("{} of D, rms", percent_text(misfit.rms));
 }
 
 std::optional<double> error_against_truth(const ExperimentResults& results) {
@@ -147,7 +146,8 @@ std::vector<Warning> warnings_of(const ExperimentResults& results,
   }
   if (results.joint && results.levels && results.joint->method.empty()) {
     add("joint_of_unknown_origin",
-        "joint.json does not tell how it was found: nothing shows that it belongs to the levels "
+        "joint.json does not state how it was identified: nothing shows that it belongs to the "
+        "levels "
         "below.");
   }
   if (methods) {
@@ -158,7 +158,7 @@ std::vector<Warning> warnings_of(const ExperimentResults& results,
       if (results.joint->by_records) {
         all.push_back(warning);
       } else {
-        add(warning.code, "Said by the identification:");
+        add(warning.code, "From the identification:");
       }
     }
   }

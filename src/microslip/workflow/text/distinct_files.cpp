@@ -51,7 +51,7 @@ std::optional<std::string> same_file(std::span<const std::string> before, const 
   for (const std::string& other : before) {
     const PartOfFile of_other = part_of_file(other);
     const std::string other_variable = counted_from_one(of_other.variable);
-    std::error_code none;  // what is not there is missed by whoever reads it
+    std::error_code none;  // a missing file is reported by its reader
     if ((holds(variable, other_variable) || holds(other_variable, variable)) &&
         std::filesystem::equivalent(of_other.file, part.file, none)) {
       return other;
@@ -68,7 +68,7 @@ void check_distinct_files(std::span<const std::string> paths) {
     throw InputError(input_name(paths[i]),
                      fmt::format("{} as {}", in_parts ? "in part the same" : "the same file",
                                  input_name(*other)),
-                     "must be given once, or it counts twice", "Leave one of them out.");
+                     "must be given only once, or it counts twice", "Leave one of them out.");
   }
 }
 

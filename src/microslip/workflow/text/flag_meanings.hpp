@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// What a flag of a level or of a verification says, for those who read the report. Empty for a
+/// Meaning of a flag of a level or of a verification, for the report. Empty for a
 /// code that is not known here.
 [[nodiscard]] std::string_view flag_meaning(std::string_view code);
 

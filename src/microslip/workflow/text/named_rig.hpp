@@ -22,7 +22,8 @@ namespace microslip {
   return parse_rig(rig.text, input_name(rig.path));
 }
 
-/// What only solving the rig can find, such as a stick frequency out of reach, names the file too.
+/// Errors that only solving the rig can find, such as a stick frequency out of reach, name the file
+/// too.
 template <typename Make>
 auto of_rig(const NamedInput& rig, Make make) {
   try {
@@ -38,7 +39,7 @@ inline void check_any_left(std::string_view done, std::size_t files, std::size_t
                            const std::vector<RejectedRecord>& rejected) {
   if (left > 0) return;
   throw InputError("recordings", fmt::format("{} files", files),
-                   fmt::format("must hold one that can be {}", done),
+                   fmt::format("must include one that can be {}", done),
                    rejected.empty() ? "" : rejected.front().reason);
 }
 

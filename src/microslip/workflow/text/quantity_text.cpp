@@ -45,7 +45,7 @@ GivenQuantity read_quantity(std::string_view option, std::string_view text,
     throw InputError(option, in_quotes(text),
                      dimension == kDimensionless
                          ? "must be a finite number"
-                         : fmt::format("must be a finite number, in {} or with a unit behind it",
+                         : fmt::format("must be a finite number, in {} or with a unit after it",
                                        si_unit(dimension)));
   }
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
@@ -53,8 +53,9 @@ GivenQuantity read_quantity(std::string_view option, std::string_view text,
     std::string point(text.substr(0, kLongestSuggestion));
     std::ranges::replace(point, ',', '.');
     throw InputError(option, in_quotes(text), "must have a decimal point",
-                     text.size() > kLongestSuggestion ? "Write a point for the comma."
-                                                      : fmt::format("Write {}.", point));
+                     text.size() > kLongestSuggestion
+                         ? "Write a decimal point instead of the comma."
+                         : fmt::format("Write {}.", point));
   }
   rest = trimmed(rest);
   if (rest.empty()) return {value, {.dimension = dimension}};
@@ -66,7 +67,7 @@ std::pair<double, double> read_ends(std::string_view option, std::string_view te
   const std::vector<std::string_view> parts = split(text, ':');
   if (parts.size() != 2) {
     throw InputError(option, in_quotes(text), "must read FROM:TO",
-                     "The two numbers stand on either side of a colon.");
+                     "Write the two numbers with a colon between, e.g. 50:60.");
   }
   return {parse_quantity(fmt::format("FROM of {}", option), parts[0], dimension),
           parse_quantity(fmt::format("TO of {}", option), parts[1], dimension)};

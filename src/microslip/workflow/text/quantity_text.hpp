@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// What stands between the separators of a text.
+/// Parts of a text between its separators.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// Whether the text is a number with a unit of this dimension.
@@ -42,7 +42,7 @@ namespace microslip {
                                                        std::string_view text,
                                                        const Dimension& dimension);
 
-/// FROM:TO, either way round. @throws InputError  where it has another form, or both are the same.
+/// FROM:TO, in either order. @throws InputError  where it has another form, or both are the same.
 [[nodiscard]] std::pair<double, double> parse_way(std::string_view option, std::string_view text,
                                                   const Dimension& dimension);
 

@@ -20,7 +20,7 @@ namespace microslip {
 [[nodiscard]] std::string wrapped(std::string_view first, std::string_view text, std::size_t indent,
                                   std::size_t width = 78);
 
-/// The end of a path, of so many characters at most: it tells files apart.
+/// The end of a path, of so many characters at most: it distinguishes files.
 [[nodiscard]] std::string shortened(const std::string& source, std::size_t width);
 
 /// "1 level", "3 levels".

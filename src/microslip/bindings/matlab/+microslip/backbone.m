@@ -1,5 +1,5 @@
 function curve = backbone(model, responses, varargin)
-% BACKBONE  Resonance frequency and damping of a structure with joints over the amplitude.
+% BACKBONE  Resonance frequency and damping of a structure with joints over amplitude.
 %   c = microslip.backbone(model, responses, ...)
 %
 %   model as of microslip.frf; responses at the point, rising, m unless 'Kind' says otherwise. Options:

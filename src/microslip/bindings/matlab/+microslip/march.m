@@ -1,5 +1,5 @@
 function result = march(model, time, force, varargin)
-% MARCH  Motion in time of a structure with joints under any forces.
+% MARCH  Time history of a structure with joints under any forces.
 %   m = microslip.march(model, time, force, ...)
 %
 %   model as of microslip.frf; time in s, rising. force in N, one value a time, straight between them: at the first

@@ -192,7 +192,7 @@ def identify(
     linear_dissipation, frequency, frequency_std : array_like, optional
         As of `Levels`.
     method : {"inversion", "spline", "differences"}
-        How the density is found.
+        Identification method of the density.
     smoothing, smoothing_unit : str
         ``"gcv"`` chooses; ``"lambda=X"``; ``"p=X"`` of csaps (spline only), with the unit of the
         amplitude that it belongs to: ``"um"``, ``"mm"``, ``"m"``.

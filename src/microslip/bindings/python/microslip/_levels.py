@@ -280,7 +280,7 @@ def _usable(levels: Levels, said: dict[str, Any], use_inner_reversals: bool) -> 
     warnings = _warnings_of_flags(flags, len(levels))
     if inner.any():
         code = "inner_reversals_used" if use_inner_reversals else "levels_left_out"
-        done = "used all the same" if use_inner_reversals else "left out"
+        done = "used nevertheless" if use_inner_reversals else "left out"
         warnings.append(
             (code, f"{inner.sum()} of {count} levels have inner reversals; they were {done}.")
         )

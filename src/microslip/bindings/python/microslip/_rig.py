@@ -364,7 +364,7 @@ def reduce(
     frequency : float, optional
         Of the drive, to 3 %, Hz; found without it.
     order : int
-        Harmonics that are fitted; 1 to 100.
+        Number of harmonics fitted; 1 to 100.
     modes : int
         Of the beam; 0: those of the rig's test, or 30.
     use_vibrometer : bool

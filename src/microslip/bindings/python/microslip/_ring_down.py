@@ -224,7 +224,7 @@ class RingDown(Shown):
                                 ("joint_stiffness", joint_stiffness)):  # fmt: skip
                 if value is not None:
                     raise InputError(f"{name} = {value}; must not be given without modal_mass."
-                                     " Without it there is no dissipation to take it from.")  # fmt: skip
+                                     " Without it there is no dissipation to subtract it from.")  # fmt: skip
             return _levels_of(_core.ring_down_damping_levels(state, ratio))
         stick = None if stick_frequency is None else positive(stick_frequency, "stick_frequency")
         stiffness = None if joint_stiffness is None else positive(joint_stiffness, "joint_stiffness")
