@@ -17,7 +17,7 @@ constexpr double kDensity = 7850.0;  // kg/m³
 
 using Entries = Eigen::Matrix<double, 24, 24>;
 
-/// Of one brick, node by node; node a is at x, y, z = bits 0, 1, 2 of a.
+/// Matrices of one brick, node by node; node a is at x, y, z = bits 0, 1, 2 of a.
 struct Brick {
   Entries stiffness = Entries::Zero();
   Entries mass = Entries::Zero();

@@ -59,7 +59,7 @@ void frf_sdof_curve(benchmark::State& state) {
 }
 BENCHMARK(frf_sdof_curve)->Unit(benchmark::kMillisecond);
 
-/// The same range at constant response.
+/// The range at constant response.
 void frf_constant_response(benchmark::State& state) {
   const HarmonicBalance balance = one_mass();
   ResponseCurve curve;

@@ -51,8 +51,8 @@ void ensemble_bootstrap(benchmark::State& state) {
 }
 BENCHMARK(ensemble_bootstrap)->Unit(benchmark::kMillisecond);
 
-/// What a job costs beside its work: a thousand blocks of 256 jobs of 6 values, which take no time,
-/// dealt and written to a journal.
+/// Overhead of a job: a thousand blocks of 256 jobs of 6 values, which take no time, dealt and
+/// written to a journal.
 void ensemble_overhead(benchmark::State& state) {
   const Folder folder;
   constexpr std::size_t kBlocks = 1000;

@@ -59,7 +59,7 @@ void read_hdf5(benchmark::State& state) {
 }
 BENCHMARK(read_hdf5)->Unit(benchmark::kMillisecond);
 
-/// The same from a MAT file of version 5.
+/// The recording from a MAT file of version 5.
 void read_mat(benchmark::State& state) {
   const RecordingFile file("microslip_bench.mat", [](const auto& path, const auto& recordings) {
     write_recordings_mat(path, recordings);

@@ -33,14 +33,14 @@ void invert_reference_levels(benchmark::State& state, bool edges) {
 void identify_90_levels(benchmark::State& state) { invert_reference_levels(state, false); }
 BENCHMARK(identify_90_levels)->Unit(benchmark::kMillisecond);
 
-/// The same with edges and a trend of the smoothness sought.
+/// 90 levels with edges and a trend of the smoothness sought.
 void identify_90_levels_with_edges(benchmark::State& state) {
   invert_reference_levels(state, true);
 }
 BENCHMARK(identify_90_levels_with_edges)->Unit(benchmark::kMillisecond);
 
-/// The same with 1000 draws from the posterior and their band, on one processor.
-/// @param state  tells how many independent draws they are worth where that is least.
+/// 90 levels with 1000 posterior draws and their band, on one processor.
+/// @param state  reports the smallest number of equivalent independent draws.
 void identify_with_1000_draws(benchmark::State& state) {
   const Levels levels = reference_levels();
   double effective = 0.0;
@@ -56,7 +56,7 @@ void identify_with_1000_draws(benchmark::State& state) {
 BENCHMARK(identify_with_1000_draws)->Unit(benchmark::kMillisecond);
 
 /// Five assemblies of 30 levels each, 1000 draws of all and of the next one, on one processor.
-/// @param state  tells how many independent draws they are worth for the spreads.
+/// @param state  reports the number of equivalent independent draws of the spreads.
 void identify_five_assemblies(benchmark::State& state) {
   const auto assemblies = testing::measured_assemblies(testing::reference_joint(), {}, 5, 1);
   AssembliesOptions options;

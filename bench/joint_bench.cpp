@@ -47,7 +47,7 @@ void joint_memory_path(benchmark::State& state) {
 }
 BENCHMARK(joint_memory_path)->Unit(benchmark::kMillisecond);
 
-/// The same path by marching elements: approximate, and O(elements) a sample.
+/// The path by marching elements: approximate, and O(elements) per sample.
 void jenkins_network_path(benchmark::State& state) {
   const Joint joint = joint_of_100_segments();
   const auto elements = static_cast<std::size_t>(state.range(0));

@@ -8,7 +8,7 @@
 #include "friction_rod.hpp"
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 
-/// @file Frequency responses of structures with many joints: what their number costs, and that of
+/// @file Frequency responses of structures with many joints: cost by their number, and by that of
 /// the harmonics.
 
 namespace microslip::bench {

@@ -25,7 +25,8 @@ JointedStructure rig_of_7_modes(bool shortens) {
   return JointedStructure(structure.linear(), std::move(joints), {{"force"}});
 }
 
-/// 8 N at 55 Hz from rest for half a second, 8192 samples a second: the joint slips at up to 50 N.
+/// 8 N at 55 Hz from rest for half a second, 8192 samples per second: the joint slips at up to 50
+/// N.
 LoadHistory steady_force(double rate) {
   LoadHistory loads;
   loads.forces.push_back({"force", {}});
@@ -48,8 +49,9 @@ double relative_error(const JointedStructure& structure, const LoadHistory& load
   return largest_error(found, exact);
 }
 
-/// The reference rig with its 7 modes and its joint: steps a second (items_per_second), and what
-/// steps of this length leave. @param state  rate of the samples, Hz; with shortening or without.
+/// The reference rig with its 7 modes and its joint: steps per second (items_per_second), and the
+/// error of steps of this length. @param state  rate of the samples, Hz; with shortening or
+/// without.
 void march_7_modes(benchmark::State& state) {
   const auto rate = static_cast<double>(state.range(0));
   const JointedStructure structure = rig_of_7_modes(state.range(1) != 0);
@@ -78,7 +80,7 @@ BENCHMARK(march_7_modes)
     ->Args({32768, 1})
     ->Unit(benchmark::kMillisecond);
 
-/// The same without shortening by Newmark's scheme.
+/// The march without shortening by Newmark's scheme.
 void newmark_7_modes(benchmark::State& state) {
   const auto rate = static_cast<double>(state.range(0));
   const JointedStructure structure = rig_of_7_modes(false);

@@ -92,7 +92,7 @@ struct Fewest {
   std::vector<double> exact;  ///< with steps kFiner times shorter
 };
 
-/// By halving steps until the error is small enough, and bisection between the last two.
+/// Halves steps until the error is small enough, then bisects between the last two.
 Fewest fewest_steps(const Marching& march) {
   constexpr std::size_t kMost = 1024;
   std::size_t enough = 1;

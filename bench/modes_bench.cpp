@@ -20,13 +20,12 @@ namespace {
 double peak_memory() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // which Linux tells in KiB
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // which Linux gives in KiB
 }
 
 /// 30 modes of 10⁵ degrees of freedom: of a plate of 3 bricks through its thickness, then of a
 /// compact block of 17, whose factor fills far more. The memory before is that of the matrices and
-/// of how they came to be; both memories are the most that the process ever had, so that the plate
-/// comes first.
+/// of their assembly; both are the peaks of the process so far, so that the plate comes first.
 void modes_100k(benchmark::State& state) {
   const auto through = static_cast<std::size_t>(state.range(0));
   const auto bricks = through == 3 ? std::array<std::size_t, 3>{130, 63, 3}

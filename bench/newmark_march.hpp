@@ -8,10 +8,10 @@
 
 namespace microslip::bench {
 
-/// What march() is measured against: Newmark's scheme with average acceleration on the modes of a
-/// structure with one joint that does not shorten, in equal steps from rest. The joint force of a
-/// step is found by Newton's method on its Memory; reversals are at the ends of steps.
-/// @param force  at the first excitation, one a time. @return the displacement there.
+/// Reference of march(): Newmark's scheme with average acceleration on the modes of a structure
+/// with one joint without shortening, in equal steps from rest. The joint force of a step is found
+/// by Newton's method on its Memory; reversals are at the ends of steps.
+/// @param force  at the first excitation, one per time. @return the displacement there.
 [[nodiscard]] std::vector<double> newmark_march(const JointedStructure& structure,
                                                 const std::vector<double>& force, double step,
                                                 double tolerance);

@@ -6,7 +6,7 @@
 
 Prints a Markdown table: processor time a call, the least of some repetitions, so that what else runs on
 the machine hardly counts. Paths and joints are of the kind of the benchmark `joint_memory_path`, of which
-the first line is to be held against `microslip_bench --benchmark_filter=joint_memory_path`.
+the first line is to be compared with `microslip_bench --benchmark_filter=joint_memory_path`.
 """
 
 import sys

@@ -25,7 +25,7 @@ struct rk4_structure {
   const double* shapes;    /* of the joints, kg^-1/2; joints x modes */
   const double* kappa;     /* stiffness of each element, N/m; joints x elements */
   const double* slip;      /* stretch at which each slips, m; joints x elements */
-  const double* elastic;   /* what never slips, N/m; one a joint */
+  const double* elastic;   /* what never slips, N/m; one per joint */
 };
 
 /* From rest in equal steps, the force linear between the samples.

@@ -27,7 +27,7 @@ void beam_modes_7(benchmark::State& state) {
 }
 BENCHMARK(beam_modes_7)->Unit(benchmark::kMicrosecond);
 
-/// What each recording of a test needs: the spring for its resonance, then 7 modes.
+/// Preparation of each recording of a test: the spring for its resonance, then 7 modes.
 void tuned_beam_modes_7(benchmark::State& state) {
   Beam beam = beam_with_sensors();
   for (auto _ : state) {

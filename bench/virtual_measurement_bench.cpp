@@ -31,7 +31,7 @@ void run(benchmark::State& state, const VirtualMeasurementOptions& options) {
 void virtual_test_90_levels(benchmark::State& state) { run(state, {}); }
 BENCHMARK(virtual_test_90_levels)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The same under a pure force.
+/// The virtual test under a pure force.
 void virtual_test_90_levels_pure(benchmark::State& state) { run(state, {.shaker = false}); }
 BENCHMARK(virtual_test_90_levels_pure)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever is handed over: an error that names the argument, and nothing written.
+// Whatever is passed: an error that names the argument, and nothing written.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -693,7 +693,7 @@ TEST(CBadInput, LeavesAMemoryWhereItWas) {
   EXPECT_EQ(x, 1e-5);
 }
 
-TEST(CBadInput, IsToldToEachThreadByItself) {
+TEST(CBadInput, IsReportedToEachThreadByItself) {
   CJoint joint;
   EXPECT_EQ(microslip_joint_create(-1.0, nullptr, 0, joint.out()), MICROSLIP_INPUT);
   const std::string here = microslip_last_error();

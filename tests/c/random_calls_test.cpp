@@ -117,7 +117,7 @@ class Draws {
   std::mt19937_64 random_;
 };
 
-/// What was said is one line of text.
+/// The error message is one line of text.
 void check_error() {
   const std::string_view said = microslip_last_error();
   EXPECT_FALSE(said.empty());

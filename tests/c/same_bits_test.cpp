@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the C interface computes is what the library computes, to the last bit: it hands values on.
+// The results of the C interface are those of the library, to the last bit: it passes values on.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ std::string content_of(const std::string& path) {
   return text.str();
 }
 
-/// A density with one part of each kind that may stand beside others.
+/// A density with one part of each kind that may be combined with others.
 const std::vector<double> kKnots{0.0, 5.0, 12.0};
 const std::vector<double> kDensity{0.01, 0.03, 0.0};
 const std::vector<double> kAtoms{9.0, 3.0};
@@ -359,7 +359,7 @@ TEST(CIdentify, DrawsTheSameOnOneThread) {
   expect_values(on_all, MICROSLIP_IDENTIFIED_UPPER, {upper, upper + count});
 }
 
-// The call is told by who makes it; all else is what the program writes.
+// The caller gives the command; all else is as the program writes it.
 TEST(CIdentify, WritesTheJointFileOfTheProgram) {
   const std::string csv = example("brake_reuss_beam/levels.csv");
   LevelsIdentification same;
@@ -423,7 +423,7 @@ void expect_program_with_loss(double loss_factor_std) {
 TEST(CIdentify, KnowsTheLinearLossOfAFile) { expect_program_with_loss(0.05); }
 TEST(CIdentify, IsTheSameWhereNobodyAsksForTheLinearLoss) { expect_program_with_loss(0.0); }
 
-// They are not those of the file any more, whose SHA-256 would tell something else.
+// They are not those of the file any more, whose SHA-256 would be misleading.
 TEST(CIdentify, TellsNoFileOfLevelsThatWereChanged) {
   CLevels levels;
   ASSERT_OK(microslip_levels_read(kWithLoss.c_str(), levels.out()));
@@ -476,7 +476,7 @@ TEST(CStructure, IsTheOneOfTheFile) {
   std::size_t count = 0;
   ASSERT_OK(microslip_structure_stuck_frequencies(made, &of_made, &count));
   ASSERT_OK(microslip_structure_stuck_frequencies(read, &of_read, &count));
-  // The program computes ω by 2π and back likewise; the matrices are the same to the bit.
+  // The program also computes ω by 2π and back; the matrices are the same to the bit.
   expect_same(of_made, 2, {of_read, of_read + count});
   std::size_t points = 0;
   std::size_t joints = 0;

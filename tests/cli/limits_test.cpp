@@ -68,8 +68,9 @@ TEST(Limits, OfMemoryAreToldBeforehand) {
 
 TEST(Limits, OfTimeAreToldBeforehand) {
   const Sandbox box = sandbox();
-  expect_refused(box, {"march", "model.toml", "--force-file", "force.csv", "--out", "x.csv"},
-                 {"step = ", "must be at least 100 s", "1e+12 s long", "1e+10 steps", "its unit?"});
+  expect_refused(
+      box, {"march", "model.toml", "--force-file", "force.csv", "--out", "x.csv"},
+      {"step = ", "must be at least 100 s", "1e+12 s long", "1e+10 steps", "unit of time"});
   expect_refused_by(
       box, {"spectrum", "shock.csv", "--frequency", "1:1000:1000", "--out", "x.csv"}, kTime,
       {"steps of a response spectrum", "1000 natural frequencies", "a shorter record"});

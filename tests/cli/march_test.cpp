@@ -152,7 +152,7 @@ TEST(march, WritesWarningsAndTheErrorIntoTheFile) {
   const Outcome run = expect_done(box, march_call({"--quiet"}));
   EXPECT_EQ(run.out, "");
   expect_parts(box.get("march.csv"),
-               {"# warning: hysteretic_as_viscous: hysteretic damping has no form in time",
+               {"# warning: hysteretic_as_viscous: hysteretic damping has no time-domain form",
                 "# estimated error of the displacements: "});
   expect_done(box, march_call({"--quiet", "--no-error-estimate"}));
   EXPECT_EQ(box.get("march.csv").find("estimated error"), std::string::npos);

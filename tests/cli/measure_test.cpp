@@ -210,7 +210,7 @@ TEST(measure, WarnsOfAnotherStiffness) {
       sandbox(edited(rig_text(1), "stiffness_N_per_m = 1.7e5", "stiffness_N_per_m = 1.8e5"));
   const Outcome run = Running({"measure", "rig.toml", "--out", "test"}, box.path(), {}).wait();
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_NE(run.err.find("by which its modes were computed"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("with which its modes were computed"), std::string::npos) << run.err;
   for (const char* file : {"test/truth.csv", "test/force_control.csv", "test/rig.toml"}) {
     EXPECT_NE(box.get(file).find("\n# warning: stiffness_differs: "), std::string::npos) << file;
   }

@@ -69,7 +69,7 @@ TEST(modes, WarnOfSpringsThatAreDampedAsTheRest) {
   const Sandbox box = sandbox(one.replace(one.find(two), two.size(), "[0.003]"));
   const Outcome run = box.run(kModes);
   EXPECT_EQ(run.status, 0);
-  EXPECT_NE(run.err.find("which hold 52 % of the strain energy of mode 6"), std::string::npos)
+  EXPECT_NE(run.err.find("which have 52 % of the strain energy of mode 6"), std::string::npos)
       << run.err;
   EXPECT_NE(test::get(box.file("model.toml")).find("springs of the joints"), std::string::npos);
 }
@@ -116,7 +116,7 @@ TEST(modes, SayThatASupportIsMissing) {
   const Sandbox box = sandbox(std::string(kStructure).erase(joints, modes - joints));
   const Outcome run = box.run(kModes);
   EXPECT_EQ(run.status, 0);
-  EXPECT_NE(run.err.find("1 mode of 0 Hz is held by nothing. Is a support missing?"),
+  EXPECT_NE(run.err.find("1 mode of 0 Hz is restrained by nothing. Is a support missing?"),
             std::string::npos)
       << run.err;
   EXPECT_NE(box.get("model.toml").find("# warning: rigid_bodies: "), std::string::npos);
@@ -142,7 +142,8 @@ TEST(modes, RefuseByName) {
   refused("\"stiffness.mtx\"", "\"k.mtx\"",
           "s.toml:3:13: matrices.stiffness: k.mtx: cannot be read");
   refused("row = 1\n", "row = 7\n", "point[0].row = row 7; must be from 1 to 6");
-  refused("row = 1\n", "node = 1\ndirection = \"x\"\n", "whose the rows of the matrices are");
+  refused("row = 1\n", "node = 1\ndirection = \"x\"\n",
+          "the degrees of freedom of the rows are not given");
   refused("name = \"joint2\"", "name = \"joint1\"", "must differ from joint[0].name");
 }
 

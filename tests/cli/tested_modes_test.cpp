@@ -117,7 +117,8 @@ TEST(tested_modes, OfAFreeJointHaveNoSpringInThem) {
       kStructure + test::replaced(kJoint, "joints = \"stuck\"", "joints = \"free\""), responses());
   const Outcome run = box.run(kModes);
   EXPECT_EQ(run.status, 0);
-  EXPECT_NE(run.err.find("frequencies with it come out too high"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("frequencies with it are predicted too high"), std::string::npos)
+      << run.err;
   const ModelFile model = read_model(box.file("model.toml"), JointsToFind::kAllowed);
   EXPECT_EQ(model.structure.joints()[0].spring_in_modes, 0.0);
 }
@@ -328,7 +329,7 @@ TEST(tested_modes, RefuseByName) {
           "node 5 x; must be measured: of this node the test has z");
   refused("joints = \"stuck\"", "", "state of the joints in the test");
   refused("joints = \"stuck\"", "joints = \"stuck\"\nattachment = true", "static shapes need");
-  refused("[modes]\n", "[modes]\ncount = 9\n", "as count asks for");
+  refused("[modes]\n", "[modes]\ncount = 9\n", "as count requests");
   refused("[[joint]]", "[[base]]\nname = \"table\"\n[[joint]]", "unknown key 'base'");
   refused("node = 5\n", "row = 5\n", "unknown key 'row'");
   refused("[test]\n", "[matrices]\nmass = \"m\"\n[test]\n", "one of the tables matrices and test");

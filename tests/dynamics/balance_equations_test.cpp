@@ -135,8 +135,8 @@ TEST(BalanceEquations, HaveTheDerivativesOfDifferences) {
   }
 }
 
-// What completes the equations to a square system: both targets and their derivatives. Differences
-// of 1e-7 leave 1e-8.
+// The equations that make the system square: both targets and their derivatives. Differences of
+// 1e-7 leave 1e-8.
 TEST(BalanceEquations, HaveTheDerivativesOfTheirTargets) {
   const JointedStructure structure = structure_with_three_joints(false, DampingLaw::kViscous);
   BalanceEquations equations(structure, {"b", ResponseKind::kVelocity}, 3, 1024);
@@ -239,7 +239,7 @@ TEST(MultiplicationMatrix, MultipliesFunctions) {
   const std::vector<double> y = random_values(random, 7);   // up to harmonic 3
   const VectorXd product = multiplication_matrix(Eigen::Map<const VectorXd>(t.data(), 13), 3) *
                            Eigen::Map<const VectorXd>(y.data(), 7);
-  // The product has harmonics up to 9: 32 samples tell its first 3 exactly.
+  // The product has harmonics up to 9: 32 samples determine its first 3 exactly.
   const TrigonometricBasis basis(3, 32);
   VectorXd sampled(32);
   for (Index k = 0; k < 32; ++k) {

@@ -139,8 +139,8 @@ std::vector<Compared> compare(const Table& table) {
   return all;
 }
 
-// 1e-4 of the largest value is what is asked for. The integration errs by h² at reversals, some
-// 1e-6 with 5 µs; the march tells an error of 1e-6 itself.
+// 1e-4 of the largest value is required. The integration errs by h² at reversals, some 1e-6 with 5
+// µs; the march itself estimates an error of 1e-6.
 TEST(BaseExcitation, OfAShockIsThatOfCoordinatesThatStandStill) {
   for (const Compared& one : compare(half_sine(60.0))) {
     test::record_largest("difference [1]", one.miss / one.largest);

@@ -37,7 +37,7 @@ double largest_miss(const JointedStructure& structure, const Target& kept, doubl
   return miss / highest;
 }
 
-// What the class says of its error, 1e-3; between steps of 20 % straight lines lie 1e-2 off.
+// The error that the class states, 1e-3; between steps of 20 % straight lines lie 1e-2 off.
 TEST(CurveHeights, LieOnTheCurveBetweenItsPoints) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
   for (const double force : {0.005, 0.02, 0.1}) {

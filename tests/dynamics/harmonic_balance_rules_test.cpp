@@ -46,7 +46,7 @@ TEST(HarmonicBalance, NamesTheTargetOutOfRange) {
   };
   expect_message(solve({kForce, -1.0}, {kFrequency, 1.0}), "force amplitude = -1");
   expect_message(solve({kForce, 1.0}, {kFrequency, 0.0}), "angular frequency = 0");
-  expect_message(solve({kForce, 1.0}, {kForce, 2.0}), "must be another than the first");
+  expect_message(solve({kForce, 1.0}, {kForce, 2.0}), "must differ from the first");
   expect_message(solve({kForce, 1.0}, {kResponse, 2.0}), "two frequencies");
   expect_message(solve({Quantity::kPhaseLag, 3.2}, {kResponse, 2.0}), "phase lag = 3.2");
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -100,7 +100,7 @@ TEST(JointedStructure, TakesNoMoreSpringOutThanTheModesHold) {
   };
   EXPECT_EQ(build(4.0), "");
   expect_message(build(4.1), "spring_in_modes of joint 'a' = 4.1; must be in the modes");
-  expect_message(build(4.1), "they hold 4 N/m at most");
+  expect_message(build(4.1), "they contain 4 N/m at most");
 }
 
 TEST(JointedStructure, NamesTheJointThatBreaksARule) {

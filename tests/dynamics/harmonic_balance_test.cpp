@@ -142,7 +142,8 @@ TEST(Solve, FindsTheLevelWhoseResonanceIsAtAFrequency) {
   for (const double elsewhere : {1.01, 0.86}) {
     const VibrationResult none = balance.solve({kFrequency, elsewhere}, kPhaseResonance);
     EXPECT_FALSE(none.summary.converged());
-    EXPECT_NE(none.summary.reason.find("no level up to"), std::string::npos) << none.summary.reason;
+    EXPECT_NE(none.summary.reason.find("no response up to"), std::string::npos)
+        << none.summary.reason;
   }
 }
 
@@ -585,7 +586,7 @@ TEST(FrequencyResponse, TellsItsProgressAndCanBeCancelled) {
   EXPECT_EQ(calls, 3U);
 }
 
-// A curve that turns back is told no way back.
+// The progress of a curve that turns back does not fall.
 TEST(FrequencyResponse, NeverTellsLessProgress) {
   const ModalModel linear({{1.0, 0.02}}, {{"mass", {1.0}}});
   const StructuralJoint tie{
@@ -616,7 +617,7 @@ TEST(FrequencyResponse, ThatStopsSaysWhereAndKeepsWhatItHas) {
                               {.max_iterations = 2});
   const auto result = hasty.solve(kPhaseResonance, {kResponse, 2.0});
   EXPECT_FALSE(result.summary.converged());
-  EXPECT_NE(result.summary.reason.find("got to"), std::string::npos) << result.summary.reason;
+  EXPECT_NE(result.summary.reason.find("reached"), std::string::npos) << result.summary.reason;
   const std::vector<double> responses{2.0};
   const ResponseCurve backbone = hasty.backbone(responses);
   EXPECT_FALSE(backbone.summary.converged());

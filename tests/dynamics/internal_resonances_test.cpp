@@ -73,7 +73,7 @@ std::vector<Complex> marched_force(const Joint& joint, const std::vector<Complex
   return force;
 }
 
-/// What is left of (ω_i² − n²ω² + inω(η_i ω_i − ξ)) q_i,n + Σ_j ψ_ij F_j,n, over the largest
+/// Residual of (ω_i² − n²ω² + inω(η_i ω_i − ξ)) q_i,n + Σ_j ψ_ij F_j,n, over the largest
 /// ω_i²|q_i,n|: the modes and all harmonics one by one, the joints as they march. ξ is that which
 /// feeds W_ext.
 double imbalance(const JointedStructure& structure, const SteadyVibration& vibration) {
@@ -174,7 +174,7 @@ TEST(InternalResonance, IsGoneThrough) {
       curve.points, [](const SteadyVibration& point) { return point.joints[0].reversals > 2; }));
 }
 
-// Of 3000 such draws 140 stopped before corners at equal maxima were looked for.
+// Of 3000 such draws 140 stopped before corners at equal maxima were sought.
 TEST(InternalResonance, LetsModesOfTwoThroughToTheirEnd) {
   constexpr std::uint64_t kDraws = 400;
   int stopped = 0;

@@ -84,7 +84,7 @@ TEST(LinearDamping, AddsToSlipByTheSquareOfTheAmplitude) {
 }
 
 // With slip, harmonics and series compliance: slip is what is left of D, and energy is conserved.
-TEST(LinearDamping, IsToldFromSlipInTheEnergies) {
+TEST(LinearDamping, IsSeparateFromSlipInTheEnergies) {
   const JointedStructure plain = testing::friction_rig(3);
   std::vector<StructuralJoint> joints(plain.joints().begin(), plain.joints().end());
   constexpr double kBeta = 6000.0;

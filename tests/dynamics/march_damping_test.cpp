@@ -91,7 +91,7 @@ TEST(MarchDamping, LosesBetaASquareInACycle) {
               1e-3 * kBeta * amplitude * amplitude);
 }
 
-// Beside slip, with shortening and what is in series: the balance holds, and the loss is told.
+// With slip, shortening and a compliance in series: the balance holds, and the loss is reported.
 TEST(MarchDamping, KeepsTheEnergyBesideSlip) {
   const JointedStructure structure(
       ModalModel({{std::sqrt(0.75), 0.01}, {3.0, 0.01}}, {{"mass", {1.0, 0.5}}}),
@@ -112,7 +112,7 @@ TEST(MarchDamping, KeepsTheEnergyBesideSlip) {
   ASSERT_EQ(found.warnings.size(), 1U);
   EXPECT_EQ(found.warnings[0].code, "damping_as_viscous");
   test::expect_message(found.warnings[0].text,
-                       "linear damping of 'joint', 0.05 J/m^2, has no form in time");
+                       "linear damping of 'joint', 0.05 J/m^2, has no time-domain form");
 }
 
 }  // namespace

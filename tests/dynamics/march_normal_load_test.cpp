@@ -44,7 +44,7 @@ TEST(MarchNormalLoad, OfOneIsTheMemory) {
         testing::largest_difference(exact.points[0].displacement, elements.points[0].displacement),
         1e-4);
     EXPECT_LT(elements.energy.imbalance(), 1e-4);
-    // What went into the joint is what it lost and what it holds.
+    // The energy into the joint is that lost and that stored.
     const double work = exact.energy.joint_dissipation() + exact.energy.joint_stored();
     EXPECT_NEAR(elements.energy.joint_dissipation(), work, 1e-3 * work);
   }
@@ -87,7 +87,7 @@ TEST(MarchNormalLoad, StartsOnTheVirginCurveOfItsLoad) {
   }
 }
 
-/// The same by the leapfrog scheme with centred damping, of second order, from the same network.
+/// The motion by the leapfrog scheme with centred damping, of second order, from the same network.
 std::vector<double> leapfrog(const LoadHistory& loads, int parts) {
   const JenkinsNetwork network = JenkinsNetwork::discretise(uniform_joint(), 1000);
   NetworkMemory memory(network, loads.normal_loads[0].law);

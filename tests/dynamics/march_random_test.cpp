@@ -155,7 +155,7 @@ struct Marched {
 std::vector<Marched> halved(const RandomMarch& one, int halvings) {
   constexpr double kSample = 1e-3;
   const double highest = one.structure.stuck_frequencies().back();
-  // An even number of steps a sample, so that each halving doubles them.
+  // An even number of steps per sample, so that each halving doubles them.
   const double twentieth = 2.0 * pi / (20.0 * highest);
   const double step =
       std::exp2(-std::max(1.0, std::ceil(std::log2(kSample / twentieth)))) * kSample;

@@ -42,7 +42,7 @@ TEST(MarchRules, NameTheTimeThatIsWrong) {
   EXPECT_EQ(message(push()), "");
   expect_message(message({{0.0}, {}}), "number of times = 1; must be at least 2");
   expect_message(message({{0.0, 1.0, 1.0}, {}}),
-                 "time[2] = 1; must be later than the time before it");
+                 "time[2] = 1; must be later than the previous time");
   expect_message(message({{0.0, kNan}, {}}), "time[1] = nan; must be");
   expect_message(message({{0.0, HUGE_VAL}, {}}), "time[1] = inf; must be finite");
 }
@@ -120,7 +120,7 @@ TEST(MarchRecords, AreEveryNthAndTheLast) {
   EXPECT_NEAR(all.joints[0].displacement[23], all.points[0].displacement[23], 1e-9);
 }
 
-TEST(MarchProgress, IsToldAndMayCancel) {
+TEST(MarchProgress, IsReportedAndMayCancel) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
   std::vector<std::size_t> told;
   const auto listen = [&](std::size_t done, std::size_t total) {
@@ -136,8 +136,8 @@ TEST(MarchProgress, IsToldAndMayCancel) {
   EXPECT_THROW((void)march(structure, vibration(3000), {}, stop), Cancelled);
 }
 
-// So fast that shortening, which grows with the square of the way, is infinite after a millionth of
-// a step: no piece of it is short enough.
+// So fast that shortening, which grows with the square of the distance, is infinite after a
+// millionth of a step: no piece of it is short enough.
 TEST(MarchFailure, SaysWhereAndKeepsWhatWasFound) {
   const JointedStructure rig = testing::friction_rig(3);
   const std::string point = rig.excitations()[0].point;
@@ -247,8 +247,8 @@ TEST(MarchRows, DoNotDecideOnTheLargest) {
   EXPECT_EQ(all.reach, few.reach);
 }
 
-// A push that four times tell, and the same told by four hundred: what happens between them counts
-// for the largest motion and for the estimate of the error.
+// A push given by four times, and by four hundred: what happens between them counts for the largest
+// motion and for the estimate of the error.
 TEST(MarchRows, NeedNotBeManyForTheLargestAndTheError) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
   const LoadHistory few{{0.0, 1.0, 2.0, 80.0}, {{"mass", {0.0, 1.0, 0.0, 0.0}}}, {}};
@@ -275,7 +275,7 @@ TEST(MarchRows, NeedNotBeManyForTheLargestAndTheError) {
   EXPECT_NEAR(*of_few.error_estimate, *of_many.error_estimate, 0.5 * *of_many.error_estimate);
 }
 
-// What is given away row by row is what march() keeps.
+// The rows passed on one by one are those that march() keeps.
 TEST(MarchRows, AreThoseOfTheResult) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
   const LoadHistory loads = vibration(50);

@@ -328,7 +328,7 @@ std::vector<SteadyCase> steady_cases() {
       {"rig", viscous_rig(), viscous_rig().excitations()[0].point, 4.0, 2.0 * pi * 54.9, 400, 9}};
 }
 
-// Two solutions that have nothing in common but the backbone. Of the march with 256 steps a cycle
+// Two solutions that have nothing in common but the backbone. Of the march with 256 steps per cycle
 // the interpolation of the force leaves (2π/256)²/12 = 5e-5, the balance its harmonics; 1e-3 was
 // asked for.
 TEST(March, EndsInTheVibrationOfHarmonicBalance) {

@@ -32,8 +32,8 @@ struct March {
   std::array<double, 2> dissipation{};         ///< of each joint over the last cycle
 };
 
-/// The same in time from rest by the leapfrog scheme with centred damping, of second order, until
-/// the transient is gone (e^-0.05·1.1·τ/… over the cycles: below 1e-8).
+/// The vibration in time from rest by the leapfrog scheme with centred damping, of second order,
+/// until the transient is gone (e^-0.05·1.1·τ/… over the cycles: below 1e-8).
 March march(const JointedStructure& structure, double omega, double force, int steps) {
   constexpr int kCycles = 80;
   const double h = 2.0 * pi / omega / steps;

@@ -30,8 +30,8 @@ constexpr std::size_t kMany = 60;   // modes of what counts as the truth
 
 SlipDensity uniform() { return SlipDensity({UniformPart{0.0, 20.0, 0.9}}); }
 
-/// A bar of 1 kg, held at its far end, by n modes in closed form: ω_i = (i − ½)π c/L,
-/// φ_i(x) = √2 cos((i − ½)πx/L) kg^−½. A joint holds its near end, a force drives it inside.
+/// A bar of 1 kg, fixed at its far end, by n modes in closed form: ω_i = (i − ½)π c/L, φ_i(x) = √2
+/// cos((i − ½)πx/L) kg^−½. A joint holds its near end, a force drives it inside.
 JointedStructure bar(std::size_t n) {
   std::vector<Mode> modes;
   ModalPoint inside{"inside", {}};
@@ -62,7 +62,7 @@ double in_modes(const JointedStructure& structure, bool first, bool second) {
   return sum;
 }
 
-/// What the bar gives way by at x under a force at y: the part between the farther of them and the
+/// Compliance of the bar at x under a force at y: the part between the farther of them and the
 /// support, (1 − max(x, y)) L/(EA). In closed form.
 double compliance(double x, double y) { return (1.0 - std::max(x, y)) / (kWave * kWave); }
 
@@ -144,7 +144,7 @@ TEST(MissingModes, AreThereByTheirResidual) {
   EXPECT_GT(std::abs(short_of.frequency() / truth.frequency() - 1.0), 1e-3);
 }
 
-// What is said to change is what does, to the factor that the estimate has.
+// The estimated change is the true one, to the factor of the estimate.
 TEST(MissingModes, AreJudgedOnACurve) {
   const SteadyVibration truth = peak_of(bar(kMany));
   for (const std::size_t n : {2U, 3U, 15U}) {
@@ -160,9 +160,9 @@ TEST(MissingModes, AreJudgedOnACurve) {
   }
 }
 
-// Of joints inside, where shapes have nodes: a bar held at both ends, with its joint in the middle
+// Of joints inside, where shapes have nodes: a bar fixed at both ends, with its joint in the middle
 // or at a third, φ_i(x) = √2 sin(iπx/L), ω_i = iπ c/L, and a beam on supports, ω_i ~ i². The trend
-// of the largest motion is all that is told: between half and five times.
+// of the largest motion is all that is determined: between half and five times.
 TEST(MissingModes, AreNotMissedAtNodes) {
   for (const double power : {1.0, 2.0}) {
     for (const double at : {0.5, 1.0 / 3.0}) {
@@ -188,7 +188,7 @@ TEST(MissingModes, AreNotMissedAtNodes) {
   }
 }
 
-TEST(MissingModes, AreToldOfWhereACurveChangesMuch) {
+TEST(MissingModes, AreReportedWhereACurveChangesMuch) {
   EXPECT_FALSE(changed_curve_warning({.level = 0.009, .frequency = 9e-4}, "").has_value());
   EXPECT_TRUE(changed_curve_warning({.level = 0.011}, "").has_value());
   EXPECT_TRUE(changed_curve_warning({.dissipation = 0.011}, "").has_value());
@@ -201,18 +201,18 @@ TEST(MissingModes, AreToldOfWhereACurveChangesMuch) {
   ASSERT_TRUE(warning.has_value());
   EXPECT_EQ(warning->code, "modes_missing");
   expect_message(warning->text, "the frequency by 0.11 % ");
-  expect_message(warning->text, "(estimated by the last modes). Mend it.");
+  expect_message(warning->text, "(estimated from the last modes). Mend it.");
 }
 
 TEST(MissingModes, AreNamedWithTheJointThatMovesTooFar) {
   const auto warning = missing_modes_warning(missing_compliance(bar(3)), "Mend it.");
   ASSERT_TRUE(warning.has_value());
-  expect_message(warning->text, "by which the structure gives way at 'end': ");
+  expect_message(warning->text, "static compliance of ");
   EXPECT_FALSE(missing_modes_warning(missing_compliance(bar(kMany)), "").has_value());
   EXPECT_FALSE(missing_modes_warning(std::vector<MissingCompliance>{}, "").has_value());
 }
 
-// Two masses have two modes: their points are orthogonal. One mode tells no trend.
+// Two masses have two modes: their points are orthogonal. One mode gives no trend.
 TEST(MissingModes, AreNotSoughtWhereNothingIsMissing) {
   const double half = std::numbers::sqrt2 / 2.0;
   const Joint joint(1.0, uniform());
@@ -251,7 +251,7 @@ TEST(ResidualFlexibility, NamesWhatIsWrong) {
           "point of the residual = 'middle'; must be a point of the model");
   refused({{}, {"inside"}, {1.0}},
           "joint of the residual = 'inside'; must be a joint of the model");
-  refused({{"inside", "inside"}, {}, {1.0, 0.0, 0.0, 1.0}}, "must not stand twice");
+  refused({{"inside", "inside"}, {}, {1.0, 0.0, 0.0, 1.0}}, "must not occur twice");
   refused({{"inside"}, {"end"}, {1.0, 0.0}}, "2 values; must have 4");
   refused({{}, {}, {}}, "0 values; must have 1");
   refused({{"inside"}, {"end"}, {1.0, 0.2, 0.1, 1.0}},

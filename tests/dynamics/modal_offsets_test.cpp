@@ -21,7 +21,7 @@ JointedStructure free_of_joints() {
                                   0.004, {0.0, 0.0});
 }
 
-// The eigenvalues of the structure with its joints stuck, before and after, tell what arrives of
+// The eigenvalues of the structure with its joints stuck, before and after, show what arrives of
 // the offsets: all of it, to what Newton's method stops at.
 TEST(ModalOffsets, ArriveAtTheStructureWithItsJoints) {
   const JointedStructure before = free_of_joints();
@@ -38,12 +38,12 @@ TEST(ModalOffsets, ArriveAtTheStructureWithItsJoints) {
     EXPECT_GT(std::abs(all.offset[m]), 1.1 * std::abs(wanted[m])) << m;  // the joints keep theirs
     EXPECT_NEAR(all.left[m], 0.0, 1e-9) << m;
   }
-  // What is told of one mode leaves the others where they are thought to be, but for their part.
+  // A measured mode leaves the others at their prior values, except for their part.
   const ModalOffsets one = modal_offsets(before, {told.data(), 1}, 0.003);
   EXPECT_NEAR(moved_by(one, 0), 0.004, 1e-9);
   EXPECT_NEAR(one.offset[2], 0.003, 5e-4);
   EXPECT_GT(one.left[2], 0.9);
-  // By how much an offset changes with what is told: a finite difference.
+  // Derivative of an offset by the measured one: a finite difference.
   told[1].offset += 1e-5;
   const ModalOffsets more = modal_offsets(before, told, 0.0);
   for (std::size_t i = 0; i < wanted.size(); ++i) {

@@ -52,7 +52,7 @@ JointedStructure ten_joints(std::uint64_t seed) {
   return {ModalModel(modes, {{"a", shape()}}), std::move(joints), {{"a"}}};
 }
 
-/// The same by new factors at each step, whole steps.
+/// The solution by new factors at each step, whole steps.
 int full_newton(BalanceEquations& equations, const Target& first, const Target& second,
                 VectorXd& z) {
   const Index n = equations.balance_count();

@@ -27,7 +27,7 @@ JointedStructure stuck_chain() {
 }
 
 // A stuck structure without damping swings in the mode alone, X cos ωt. The joint is marched to
-// fourth order: 400 steps a period of the highest mode leave 1e-10.
+// fourth order: 400 steps per period of the highest mode leave 1e-10.
 TEST(Released, ModesSwingByThemselves) {
   const JointedStructure structure = stuck_chain();
   const std::vector<double> stuck = structure.stuck_frequencies();

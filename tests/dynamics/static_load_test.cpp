@@ -36,7 +36,7 @@ std::array<double, 3> masses(const JointedStructure& structure, const std::vecto
   return x;
 }
 
-// In a row of springs each carries the whole load, whatever the joint does beside one of them.
+// In a row of springs each carries the whole load, whatever the joint parallel to one of them does.
 TEST(StaticLoad, IsCarriedByTheChainAsByHand) {
   const ShakenChain chain;
   const JointedStructure structure = chain.modal("m1", {{"m3", kPreload}});
@@ -69,7 +69,8 @@ TEST(StaticLoad, OfABaseIsThatOfTheWeights) {
   }
 }
 
-// With what lies in series and half of the normal load: u + cpF(u) is the way of its ends.
+// With a compliance in series and half of the normal load: u + cpF(u) is the displacement of its
+// ends.
 TEST(StaticLoad, KnowsWhatLiesInSeriesAndTheNormalLoad) {
   const ShakenChain chain;
   const JointedStructure plain = chain.modal("m1", {{"m3", kPreload}});
@@ -85,7 +86,7 @@ TEST(StaticLoad, KnowsWhatLiesInSeriesAndTheNormalLoad) {
   EXPECT_NEAR(chain.spring[1] * (x[1] - x[0]) + found.joint_force[0], kPreload, 1e-9);
 }
 
-// A joint that may slip away, and a body that floats, are said with the load.
+// A joint that may slip without limit, and a body that floats, are reported with the load.
 TEST(StaticLoad, WithoutAnEquilibriumIsAnError) {
   const ModalModel body({{0.0, 0.0}}, {{"mass", {1.0}}});
   const Joint joint(1e4, SlipDensity({UniformPart{0.0, 4.0, 1.0}}));
@@ -96,7 +97,7 @@ TEST(StaticLoad, WithoutAnEquilibriumIsAnError) {
   };
   EXPECT_EQ(message(1.9, {{"joint", joint, {1.0}}}), "");
   test::expect_message(message(2.1, {{"joint", joint, {1.0}}}), "2.1 N at 'mass'");
-  test::expect_message(message(0.1, {}), "no equilibrium");
+  test::expect_message(message(0.1, {}), "must have an equilibrium");
 }
 
 // March of a burst about the preload, against the integration in physical coordinates from the same
@@ -237,7 +238,7 @@ TEST(StaticLoad, OfAFloatingStructureMayBeInBalance) {
                                         [&] {
                                           return static_equilibrium(with({{"left", 40.0}}));
                                         }),
-                       "no equilibrium");
+                       "must have an equilibrium");
 }
 
 // The error of a march is that of the motion about the preload, which is some hundred times as

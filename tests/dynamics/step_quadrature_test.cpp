@@ -82,9 +82,9 @@ TEST(StepQuadrature, IsOfOrderEight) {
   EXPECT_GT(coarse, 100.0 * fine);  // 2⁸ but for terms of higher order and of either sign
 }
 
-// A joint that turns and begins to slip in many of the steps. Without what knots do inside of a
+// A joint that turns and begins to slip in many of the steps. Without the breakpoints inside of a
 // step the imbalance of the shorter one is 9e-7, by the ends of the steps 3e-9.
-TEST(StepQuadrature, KnowsWhatKnotsDoInsideOfAStep) {
+TEST(StepQuadrature, IncludesBreakpointsInsideOfAStep) {
   const Joint joint(6000.0, SlipDensity({UniformPart{0.2, 3.0, 0.8}}));
   const JointedStructure structure(ModalModel({{10.0 * std::numbers::pi, 0.0}}, {{"mass", {1.0}}}),
                                    {{"joint", joint, {1.0}}}, {{"mass"}});

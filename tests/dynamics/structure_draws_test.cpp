@@ -26,7 +26,7 @@ JointedStructure nominal() {
           {{"a"}, {"b", {0.5, {0.0, 1.0}}}}};
 }
 
-/// Draw i has a stiffness of 1 + i/1000 times that of the joint: it tells its number.
+/// Draw i has a stiffness of 1 + i/1000 times that of the joint: it identifies the draw.
 JointDraws numbered(double stiffness, std::size_t count) {
   return {count, [stiffness](std::size_t i) {
             const double k = stiffness * (1.0 + 1e-3 * static_cast<double>(i));
@@ -62,7 +62,7 @@ TEST(StructureDraws, AreTheSameInAnyOrderAndOthersOfAnotherSeed) {
   EXPECT_NE(others.draw(5).structure.linear().modes()[1].angular_frequency, first);
 }
 
-// What is certain stays as it is, and what else is uncertain does not change the draws of a number.
+// Certain numbers are unchanged, and other uncertain ones do not change the draws of a number.
 TEST(StructureDraws, OfANumberDoNotDependOnTheOthers) {
   const StructureDraws all = draws_of(kAll);
   const StructureDraws one = draws_of({.frequency = {0.0, 0.2}});

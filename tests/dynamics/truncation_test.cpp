@@ -29,8 +29,7 @@ HarmonicBalance balance_with(std::size_t harmonics) {
 
 const std::vector<double> kResponses{1.0, 1.5, 2.0, 3.0};
 
-// What is said to change is the error, against 41 harmonics, but for a part: it is found with
-// 2H + 1.
+// The estimated change is the error, against 41 harmonics, but for a part: it is found with 2H + 1.
 TEST(Truncation, IsTheErrorOfTheDissipation) {
   const ResponseCurve truth = balance_with(41).resonances(kResponses);
   ASSERT_TRUE(truth.summary.converged());
@@ -60,7 +59,7 @@ TEST(Truncation, IsTheErrorOfTheDissipation) {
   }
 }
 
-// At constant force and at constant response, where peaks and the largest motions are looked at.
+// At constant force and at constant response, where peaks and the largest motions are examined.
 TEST(Truncation, IsJudgedOnFrequencyResponses) {
   for (const std::size_t harmonics : {1U, 9U}) {
     const HarmonicBalance balance = balance_with(harmonics);

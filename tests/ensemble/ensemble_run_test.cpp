@@ -130,7 +130,7 @@ TEST(Ensemble, TellsWhatAMergeLacks) {
   asked.shard.reset();
   asked.merge = true;
   const std::string told = test::message_of<InputError>([&] { (void)campaign.run(asked); });
-  EXPECT_NE(told.find("60 of 120; must be all for a merge; found 1 journal"), std::string::npos)
+  EXPECT_NE(told.find("60 of 120; must be all for a merge; 1 journal found"), std::string::npos)
       << told;
   asked.merge = false;
   EXPECT_EQ(campaign.run(asked).done_before, 60U);
@@ -186,7 +186,7 @@ TEST(Ensemble, RefusesToGoOnWithAChange) {
     const std::string told =
         test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
     EXPECT_NE(told.find(change.told), std::string::npos) << told;
-    EXPECT_NE(told.find("remove the journal to begin anew"), std::string::npos) << told;
+    EXPECT_NE(told.find("remove the journal to start again"), std::string::npos) << told;
     EXPECT_EQ(campaign.names(), before);
   }
 }
@@ -364,8 +364,8 @@ TEST(Ensemble, SweepsTheGrid) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
 }
 
-// The shape of a point that nobody asks for moves nothing: that is told of its axis, and of no
-// other.
+// The shape of a point that is not requested changes nothing: that is reported of its axis, and of
+// no other.
 TEST(Ensemble, TellsOfANumberThatChangesNothing) {
   const Campaign campaign(
       test::replaced(kSweepPlan, "joint: stiffness_N_per_m", "structure.point[1].shape[0]"));
@@ -437,7 +437,7 @@ TEST(Ensemble, RefusesAnOutputThatIsNotThere) {
 }
 
 // A mass of 1 kg that its base shakes by a feels −1 kg·a in the relative motion: case for case the
-// numbers are those of as many newtons, and a march has the absolute motion beside.
+// numbers are those of as many newtons, and a march also has the absolute motion.
 TEST(Ensemble, TakesAccelerationsOfABase) {
   const auto plan = [](const std::string& kept) {
     return test::replaced(kPlan, "force_N = 0.02", kept) +

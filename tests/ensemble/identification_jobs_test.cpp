@@ -113,9 +113,9 @@ TEST(BootstrapJobs, OfExactLevelsAreTheIdentification) {
   }
 }
 
-// The spread that the bootstrap tells of one test against what virtual tests of the same joint
-// differ by: D in the middle of the range. 300 draws know a deviation to 4 %, the scatter of one
-// test of 40 levels to 12 %, and what a smooth fit takes of the residuals is known to 10 or 20 %.
+// The spread by the bootstrap of one test against that of virtual tests of the same joint differ
+// by: D in the middle of the range. 300 draws know a deviation to 4 %, the scatter of one test of
+// 40 levels to 12 %, and what a smooth fit takes of the residuals is known to 10 or 20 %.
 TEST(BootstrapJobs, SpreadAsTestsDo) {
   MICROSLIP_OF_RELEASE_ALONE();
   const Inputs design(R"(kind = "design"
@@ -187,7 +187,7 @@ TEST(DesignJobs, HaveABandWhereDrawsAreAskedFor) {
   EXPECT_LE(coverage, 1.0);
 }
 
-// k_eq is measured in designs that say its noise: it tells of the density below the levels, too.
+// k_eq is measured in designs that give its noise: it also determines the density below the levels.
 TEST(DesignJobs, MeasureTheSecantStiffness) {
   const Inputs inputs(kDesign + "secant_noise = [1e-5]\n");
   const Inputs without(kDesign);
@@ -202,7 +202,8 @@ TEST(DesignJobs, RefuseAmplitudesWithoutLoss) {
   test::put(inputs.file("joint.json"),
             format_joint({Joint(kStiffness, SlipDensity({UniformPart{20.0, 30.0, 1.0}})), {}, {}}));
   const std::string told = test::message_of<InputError>([&] { (void)inputs.jobs(); });
-  EXPECT_NE(told.find("must be one at which the joint loses energy"), std::string::npos) << told;
+  EXPECT_NE(told.find("must be an amplitude at which the joint dissipates"), std::string::npos)
+      << told;
 }
 
 }  // namespace

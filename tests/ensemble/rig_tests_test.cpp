@@ -51,7 +51,7 @@ class Inputs {
 
 enum Value : std::size_t { kDensityError, kAreaError, kDissipationError };
 
-// Groups: noise 0 with all sensors and with one, noise 1 likewise, noise 30 likewise.
+// Groups: noise 0, 1 and 30, each with all sensors and with one.
 TEST(RigTests, ErrMoreWithMoreNoise) {
   const Inputs inputs;
   const auto jobs = inputs.jobs();

@@ -390,7 +390,7 @@ TEST(ModelFileFault, Residual) {
   expect_faults({
       {"[[structure.point]]",
        with("[structure.residual]\npoints = [\"root\"]\ncompliance_m_per_N = [1, 2]\n"),
-       "model.toml: compliance of the residual = 2 values; must have 1, by rows, one a point and "
+       "model.toml: compliance of the residual = 2 values; must have 1, by rows, one per point and "
        "joint that it names"},
       {"[[structure.point]]",
        with("[structure.residual]\njoints = [\"root\"]\ncompliance_m_per_N = [1]\n"),

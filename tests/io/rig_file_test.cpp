@@ -291,7 +291,7 @@ TEST(RigFileFault, ValuesThatBreakARule) {
   expect_starts(reference_message("to_m_per_s2 = 39.24", "to_m_per_s2 = 0.1"),
                 "rig.toml:52:64: test.response_acceleration.to_m_per_s2 = 0.1; mu");
   EXPECT_EQ(modes_message("shape = [1, 0.5]", "shape = [1]"),
-            "rig.toml:11:9: accelerometer[0].shape = 1 values; must have 2, one a mode of "
+            "rig.toml:11:9: accelerometer[0].shape = 1 values; must have 2, one per mode of "
             "modes.frequency");
   expect_starts(modes_message("[55.8, 349]", "[349, 55.8]"),
                 "rig.toml:3:16: modes.frequency_Hz = 55.8; m");
@@ -339,7 +339,7 @@ TEST(RigFileFault, TablesThatDoNotBelongTogether) {
   EXPECT_EQ(message("schema = \"microslip.rig/1\"\n"),
             "rig.toml:1:1: expected one of the tables [beam] and [modes], found neither");
   EXPECT_EQ(message(kModes + "[[mass]]\nposition_m = 0\nmass_kg = 1\n"),
-            "rig.toml:13:1: mass = 1 of them; must not be there with modes. The modes contain "
+            "rig.toml:13:1: mass = 1 given; must not be given with modes. The modes contain "
             "all masses.");
   expect_starts(reference_message("1.7e5  ", "1.7e5\nstick_frequency_Hz = 55.8 "),
                 "rig.toml:11:1: contact = stiffness and stick_frequency; must");

@@ -42,7 +42,7 @@ std::vector<std::int64_t> first_nodes(std::size_t count) {
   return nodes;
 }
 
-/// What the place moves by when all nodes move as one body: t + θ × r.
+/// Motion of the place when all nodes move as one body: t + θ × r.
 double moved(const MeshedStructure& structure, const Motion& motion, const Eigen::Vector3d& t,
              const Eigen::Vector3d& theta) {
   double sum = 0.0;
@@ -57,7 +57,8 @@ double moved(const MeshedStructure& structure, const Motion& motion, const Eigen
   return sum;
 }
 
-// A body that moves rigidly is told exactly, at any point, along any direction, about any axis.
+// A body that moves rigidly is determined exactly, at any point, along any direction, about any
+// axis.
 TEST(PlaceMotion, OfARigidBodyIsThatOfTheBody) {
   const MeshedStructure structure = cloud(6, 1);
   const MeshRows rows(structure);

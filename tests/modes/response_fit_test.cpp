@@ -111,9 +111,9 @@ TEST(ResponseFit, OfNoisyResponsesIsNearby) {
   }
 }
 
-// The errors that it tells are those that it makes: over the residues at the drive point of 12
-// draws of noise, mean squares of error over told error are within a factor of two of 1: five times
-// their own scatter, √(2/60).
+// The stated errors are the actual ones: over the residues at the drive point of 12 draws of noise,
+// mean squares of error over stated error are within a factor of two of 1: five times their own
+// scatter, √(2/60).
 TEST(ResponseFit, TellsItsErrors) {
   const TestedChain chain;
   const Eigen::MatrixXcd exact = chain.responses(kAll, kDrive, 2);
@@ -133,7 +133,7 @@ TEST(ResponseFit, TellsItsErrors) {
   EXPECT_LT(sum, 2.0);
 }
 
-// Of a band that ends between the third and the fourth mode; a constant stands for the rest, which
+// Of a band that ends between the third and the fourth mode; a constant represents the rest, which
 // is none near its end. Found: 1.8e-5, 0.12 % and 2.7 %, largest in the third mode.
 TEST(ResponseFit, OfSomeModesLacksTheOthersAsAResidual) {
   const ResponseFit fit = fit_chain({}, 0, 0.0, test::even_frequencies(5.0, 0.25, 281));
@@ -144,7 +144,7 @@ TEST(ResponseFit, OfSomeModesLacksTheOthersAsAResidual) {
   for (Eigen::Index r = 3; r < 5; ++r) {
     above += std::pow(exact.eigenvectors()(kDrive, r), 2) / exact.eigenvalues()(r);
   }
-  EXPECT_GT(fit.upper(kDrive), above);  // nearer to its resonance a mode gives way more
+  EXPECT_GT(fit.upper(kDrive), above);  // nearer to its resonance a mode is more compliant
   EXPECT_LT(fit.upper(kDrive), 3.0 * above);
 }
 
@@ -168,7 +168,7 @@ TEST(ResponseFit, OfComplexModesHasTheirPoles) {
   }
 }
 
-// Two modes 0.4 % apart, less than their widths, of which the second point tells the signs.
+// Two modes 0.4 % apart, less than their widths, of which the second point determines the signs.
 TEST(ResponseFit, TellsCloseModesApart) {
   const auto sdof = [](double f, double ratio, double x) {
     const double w = 2.0 * std::numbers::pi * f;
@@ -190,7 +190,7 @@ TEST(ResponseFit, TellsCloseModesApart) {
   EXPECT_NEAR(fit.residues(1, 1), -0.3, 1e-8);
 }
 
-TEST(ResponseFit, BeginsWhereItIsTold) {
+TEST(ResponseFit, BeginsAtTheGivenFrequencies) {
   const double turn = 2.0 * std::numbers::pi;
   const ResponseFit fit =
       fit_chain({}, 2, 0.0, kAll,
@@ -217,7 +217,7 @@ TEST(ResponseFit, RefusesWhatHasNoModes) {
   EXPECT_NE(none.find("must show as peaks"), std::string::npos) << none;
   const std::string few =
       test::message_of<InputError>([&] { fit_chain({}, 0, 0.0, kAll, {.count = 9}); });
-  EXPECT_NE(few.find("as count asks for"), std::string::npos) << few;
+  EXPECT_NE(few.find("as count requests"), std::string::npos) << few;
 }
 
 }  // namespace

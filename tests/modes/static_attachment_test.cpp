@@ -39,7 +39,7 @@ Eigen::MatrixXd compliance(const NaturalModes& modes, const StaticAttachment& at
   return sum;
 }
 
-// Mass i of a chain gives way by i/k; between i and j it is the smaller of both.
+// Mass i of a chain has the compliance i/k; between i and j it is the smaller of both.
 TEST(StaticAttachment, MakesTheComplianceExact) {
   for (const std::size_t masses : {std::size_t{40}, std::size_t{600}}) {
     const MassChains chain{.masses = masses};

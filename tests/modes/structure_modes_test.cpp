@@ -71,7 +71,7 @@ TEST(StructureModes, OfSmallMatricesAreThoseOfADenseSolver) {
   EXPECT_TRUE(stuck.warnings.empty());
 }
 
-/// A chain held at its first end, a joint between its last mass and the ground.
+/// A chain fixed at its first end, a joint between its last mass and the ground.
 MeshedStructure chain_with_joint(std::size_t masses) {
   const MassChains chain{.masses = masses,
                          .m = 10.0 / static_cast<double>(masses),
@@ -153,7 +153,7 @@ TEST(StructureModes, WarnOfRigidBodiesThatNothingHolds) {
   EXPECT_EQ(loose.rigid_bodies, 2U);
   ASSERT_EQ(loose.warnings.size(), 1U);
   test::expect_message(loose.warnings[0].text,
-                       "1 mode of 0 Hz is held by nothing, no joint either");
+                       "1 mode of 0 Hz is restrained by nothing, no joint either");
   structure.joints.push_back(
       {.name = "ground", .to = {.name = "node", .nodes = {24}}, .stiffness = 1e5});
   EXPECT_TRUE(compute_structure_modes(structure, {.count = 6}).warnings.empty());

@@ -82,7 +82,7 @@ TEST(SystemAssembly, NamesWhatIsWrong) {
         s.matrices.mass.value[0] = 0.0;
         MassChains::add(s.matrices.mass, 1, 0, 0.1);
       },
-      "mass matrix = entries beside a diagonal of 0");
+      "mass matrix = entries off a diagonal of 0");
   expect([](S s) { MassChains::add(s.matrices.mass, 9, 0, 3.0); }, "entry (10, 1)");
   expect([](S s) { MassChains::add(s.matrices.mass, 1, 0, std::nan("")); }, "mass matrix (2, 1)");
   expect(
@@ -90,7 +90,7 @@ TEST(SystemAssembly, NamesWhatIsWrong) {
         s.supports.push_back({.name = "s", .nodes = {1}});
         s.points.push_back({.name = "p", .place = whole(Spider::kRigid)});
       },
-      "all = node 1 x; must not be held in a rigid spider");
+      "all = node 1 x; must not be fixed in a rigid spider");
   expect(
       [](S s) {
         s.points.push_back({.name = "p", .place = whole(Spider::kRigid)});
@@ -103,7 +103,7 @@ TEST(SystemAssembly, NamesWhatIsWrong) {
         s.supports.push_back(
             {.name = "s", .nodes = {1}, .held = {false, false, false, true, true, true}});
       },
-      "s = a support that holds nothing; must hold a degree of freedom");
+      "s = a support that fixes nothing; must fix a degree of freedom");
   expect(
       [](S s) {
         s.supports.push_back({.name = "s", .nodes = {1, 2, 3}});

@@ -26,7 +26,7 @@ Eigen::MatrixXd along_z(const TestedModes& tested) {
   return shapes;
 }
 
-/// Six digits of a file are what shapes are told by.
+/// Shapes are given by six digits of a file.
 constexpr double kDigits = 2e-5;
 
 void expect_shapes(const Eigen::MatrixXd& found, const TestedChain& chain, double bound) {
@@ -90,7 +90,7 @@ TEST(TestedModes, TakeTheUnitsOfTheFile) {
 }
 
 // Modal masses of the key stand in place of those of the file, which has 0: they are kg.
-TEST(TestedModes, TakeModalMassesThatAreTold) {
+TEST(TestedModes, TakeModalMassesThatAreGiven) {
   const TestedChain chain;
   std::string text = test::units_dataset(1000.0, 1.0);
   text += test::shape_dataset({.reals = {hertz_of(chain, 0), 0.0, 0.0, 0.01}},
@@ -160,12 +160,12 @@ TEST(TestedModes, OfShapesRefuseByName) {
   refused(si + one({.reals = {13.0, 1.0}}), "damping of t.uff: mode 1 (13 Hz) = not in the file");
   refused(si + one({.reals = {13.0, 1.0, 0.0, 0.0}}), "damping of t.uff");
   refused(si + one({.reals = {13.0, 1.0, -0.1, 0.0}}), "must not be negative");
-  refused(si + one({.reals = {13.0, 1.0, 0.01, 0.05}}), "must be one of both, or the same");
+  refused(si + one({.reals = {13.0, 1.0, 0.01, 0.05}}), "must be one of them, or the same");
   refused(si + one({.reals = {13.0, 1.0, 0.01, 0.0}}) + one({.reals = {14.0, 1.0, 0.0, 0.01}}),
-          "viscous beside hysteretic");
+          "viscous with hysteretic");
   refused(one({.reals = {13.0, 1.0, 0.01, 0.0}}), "must have dataset 164 before it");
   refused(si + one({.reals = {13.0, 1.0, 0.01, 0.0}}) + one({.reals = {13.0, 2.0, 0.01, 0.0}}),
-          "of the shape of t.uff: mode 1 (13 Hz); must be another mode");
+          "of the shape of t.uff: mode 1 (13 Hz); must be a different mode");
   refused(si + one({.specific_type = 12, .reals = {13.0, 1.0, 0.01, 0.0}}), "data type 12");
   refused(si + one({.analysis = 5, .reals = {13.0}}), "must have normal or complex modes");
   refused(si + one({.analysis = 3, .reals = {-1.0, 80.0}}), "modal A of t.uff");

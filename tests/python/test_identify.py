@@ -101,7 +101,7 @@ def test_tables(levels, tmp_path):
     assert plain.to_pandas().shape == (len(plain.slip_force), 2)
 
 
-def test_warnings_are_told_and_kept(levels):
+def test_warnings_are_issued_and_kept(levels):
     rising = microslip.Levels(levels.amplitude, levels.dissipation,
                               frequency=np.linspace(50, 51, len(levels)))  # fmt: skip
     with pytest.warns(microslip.MicroslipWarning, match="frequency_rises"):
@@ -119,7 +119,7 @@ def test_results_are_kept(levels):
     assert "<table>" in found._repr_html_() and "covered" in repr(found)
 
 
-def test_levels_that_tell_something_else_are_left_out_and_said(tmp_path):
+def test_levels_of_other_loops_are_left_out_with_a_warning(tmp_path):
     rows = "\n".join(f"{a:.3e},{a * a * 100:.4e},{4 if a < 3e-6 else 2}" for a in np.geomspace(1e-6, 1e-4, 20))
     (tmp_path / "levels.csv").write_text("amplitude [m],dissipation [J],reversals [1]\n" + rows + "\n")
     with pytest.warns(microslip.MicroslipWarning, match="inner reversals"):
@@ -168,7 +168,7 @@ def test_tables_say_what_files_say():
                                   "disipation_std", "secant_stifness [N/m]", "reversal", "frequencies",
                                   "dissipation std"])  # fmt: skip
 def test_mistakes_in_names_of_columns_are_refused(name):
-    with pytest.raises(ValueError, match="is no column of levels; must be"):
+    with pytest.raises(ValueError, match="is no column of levels; did you mean"):
         microslip.Levels.of({**TABLE, name: AMPLITUDE})
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Nothing is lost on the way: copies, other joints, draws, files, threads, the end of the interpreter."""
+"""Nothing is lost: copies, other joints, draws, files, threads, the end of the interpreter."""
 
 import copy
 import pickle
@@ -44,7 +44,7 @@ def test_spread_of_a_model_counts_in_draws(at_the_end):
     assert np.array_equal(kept.frequency_response(0.5, 45, 55, samples=60).upper, band.upper)
 
 
-def test_a_damping_that_the_structure_says_stays(structure, joint):
+def test_a_damping_given_in_the_structure_stays(structure, joint):
     said = structure.with_joints([microslip.StructuralJoint(joint, [0.25, 0.6], "lap",
                                                             linear_damping=2e3)])  # fmt: skip
     for joints in ([joint], [said.joints[0].joint], said.joints,
@@ -64,7 +64,7 @@ def test_energies_of_a_march_add_up(structure, joint):
     assert spent == pytest.approx(energy.initial + energy.input, rel=1e-4)  # as a march must balance
 
 
-def test_a_vibration_beyond_the_levels_is_said(structure, joint):
+def test_a_vibration_beyond_the_levels_warns(structure, joint):
     known = structure.with_joints([microslip.IdentifiedJoint(joint, None, 1.0)])
     balance = microslip.HarmonicBalance(known)
     with pytest.warns(microslip.MicroslipWarning, match="beyond"):
@@ -91,7 +91,7 @@ def test_levels_are_written_whole(tmp_path, joint):
     assert "linear_dissipation [J]" in (tmp_path / "levels.csv").read_text()
 
 
-def test_what_a_reader_says_is_in_the_result(tmp_path, joint):
+def test_warnings_of_a_reader_are_in_the_result(tmp_path, joint):
     loss = joint.dissipation(A)
     rows = "\n".join(f"{a!r},{d!r},{4 if i < 3 else 2}" for i, (a, d) in enumerate(zip(A.tolist(), loss.tolist())))
     (tmp_path / "levels.csv").write_text("amplitude [m],dissipation [J],reversals [1]\n" + rows + "\n")

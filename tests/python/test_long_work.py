@@ -24,7 +24,7 @@ def dissipation():
     return truth.dissipation(A) * (1 + 0.01 * np.random.default_rng(2).normal(size=len(A)))
 
 
-def test_listener_is_told_and_may_cancel(dissipation):
+def test_listener_is_called_and_may_cancel(dissipation):
     told = []
     microslip.identify(A, dissipation, stiffness=1e5, samples=4_000,
                        progress=lambda done, total: told.append((done, total)))  # fmt: skip

@@ -200,7 +200,7 @@ def test_assumed_units_name_the_argument(tmp_path):
         microslip.read_recordings(path, assume_units={"a": "furlong"})
 
 
-def test_truncated_files_are_told(tmp_path):
+def test_truncated_files_are_reported(tmp_path):
     path = tmp_path / "r.uff"
     microslip.write_recordings(path, recording(), "uff-ascii")
     whole = path.read_bytes()

@@ -210,7 +210,7 @@ def test_what_an_identification_found_goes_along(tmp_path):
     assert with_it.with_joints([read]).joints[0].linear_damping == found.linear_damping
 
 
-def test_modes_that_are_missing_are_said(joint):
+def test_missing_modes_are_reported(joint):
     few = microslip.Structure(
         [40.0, 95.0], {"drive": [0.7, 0.4]}, damping_ratio=0.02,
         joints=[microslip.StructuralJoint(joint, [0.25, 0.6])],

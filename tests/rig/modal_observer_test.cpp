@@ -76,8 +76,8 @@ StickState state_without_shortening(std::size_t modes) {
   return state;
 }
 
-/// What rounding leaves: motion and joint force cancel to some 1e-3 close to the resonance, and in
-/// the higher harmonics the modes do at the accelerometers, to 4 %.
+/// Error by rounding: motion and joint force cancel to some 1e-3 close to the resonance, and in the
+/// higher harmonics the modes do at the accelerometers, to 4 %.
 constexpr double kTolerance = 1e-10;
 
 TEST(ModalObserver, FindsTheMotionOfAllModes) {

@@ -251,7 +251,7 @@ TEST(ModalReducer, FindsTheResonanceBesideTheDrive) {
   EXPECT_EQ(flag_of(level, "off_resonance"), nullptr);
 }
 
-// One accelerometer for two joints shows one combination of them. What is not seen is said, its
+// One accelerometer for two joints shows one combination of them. The unobserved is reported, its
 // standard deviation covers the error, and what all lose together is right.
 TEST(ModalReducer, SaysWhatTooFewSensorsDoNotShow) {
   const JointedStructure structure = random_chain(2, 2, DampingLaw::kHysteretic);
@@ -311,7 +311,7 @@ TEST(ModalReducer, BearsASensorAtANode) {
           [&] {
             return ModalReducer(test_with(without_slip(structure), {"node"})).reduce(record);
           }),
-      "still in mode 2");
+      "all at nodes of mode 2");
 }
 
 TEST(ModalReducer, SaysThatTheModelIsAnother) {

@@ -105,7 +105,7 @@ TEST(ReductionBatch, TellsTheFirstFaultInOrder) {
   }
 }
 
-TEST(ReductionBatch, LeavesFaultyFilesOutWhereTold) {
+TEST(ReductionBatch, LeavesFaultyFilesOutOnRequest) {
   const ReductionBatch batch =
       reduce_batch(reducer(), kFiles, read_with_faults, {.skip_faulty = true});
   EXPECT_EQ(batch.levels.size(), kFiles - 2);
@@ -145,7 +145,7 @@ TEST(ReductionBatch, ProgressCountsTheFiles) {
   EXPECT_EQ(done, expected);
 }
 
-TEST(ReductionBatch, StopsWhenToldTo) {
+TEST(ReductionBatch, StopsOnRequest) {
   for (const bool skip : {false, true}) {
     const auto stop = [](std::size_t count, std::size_t) { return count < 3; };
     EXPECT_THROW(
@@ -157,7 +157,7 @@ TEST(ReductionBatch, StopsWhenToldTo) {
     };
     EXPECT_THROW((void)reduce_batch(reducer(), kFiles, read_and_stop, {.skip_faulty = skip}),
                  Cancelled)
-        << "a reader that was told to stop is no faulty file";
+        << "a reader that was stopped is not a faulty file";
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// What may go wrong with a record, and what the level says of it. Level 4 of the reference
-// recordings, 55.3 Hz, spoilt in one way each.
+// Faults of a record and the flags of its level. Level 4 of the reference recordings, 55.3 Hz, each
+// with one fault.
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ TEST(ReductionFlags, LostSamplesAreNoSteadyState) {
   }
 }
 
-TEST(ReductionFlags, SpikeIsTold) {
+TEST(ReductionFlags, SpikeIsFlagged) {
   for (const char* name : {"force", "acc1", "ldv"}) {
     const ReducedLevel level = reduced([&](Recording& recording) {
       std::vector<double>& signal = values(recording, name);

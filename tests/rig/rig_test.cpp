@@ -211,7 +211,7 @@ TEST(Rig, MessagesNameValueRuleAndRemedy) {
   EXPECT_EQ(message(beam_rig(), [](Rig& rig) { beam_of(rig).length = -1.0; }),
             "beam.length = -1; must be above 0 and finite");
   EXPECT_EQ(message(modes_rig(), [](Rig& rig) { rig.accelerometers[0].shape.pop_back(); }),
-            "accelerometers[0].shape = 1 values; must have 2, one a mode of modes.frequency");
+            "accelerometers[0].shape = 1 values; must have 2, one per mode of modes.frequency");
 }
 
 TEST(Rig, LaterModesTakeTheLastLossFactor) {

@@ -96,7 +96,7 @@ TEST(SteppedSine, SaysWhatIsWrong) {
   EXPECT_NE(message_of(sweep).find("phase = 20 values; must have 21"), std::string::npos);
   sweep = sweep_of(2, 1.0);
   sweep.frequency.resize(1);
-  EXPECT_NE(message_of(sweep).find("must have 2 at least"), std::string::npos);
+  EXPECT_NE(message_of(sweep).find("must have at least 2"), std::string::npos);
 }
 
 TEST(SteppedSine, SeveralPassagesAreFlagged) {

@@ -84,7 +84,7 @@ TEST(StickState, ShorteningIsSymmetricAndNotNegative) {
   }
 }
 
-TEST(StickState, TakesAsManyModesAsTold) {
+TEST(StickState, TakesTheGivenNumberOfModes) {
   Rig rig = reference_rig();
   rig.test->modes = 5;
   EXPECT_EQ(stick_state(rig).modes(), 5U);

@@ -81,7 +81,7 @@ TEST(SweepResonance, IsExactForALinearMode) {
 
 // ---- A mass on a spring with a joint, by the harmonic balance. ----
 
-/// What is held.
+/// The constant quantity.
 enum class Held { kForce, kResponse, kNeither };
 
 /// All its damping, but a linear part, and all its softening are the joint's.
@@ -100,15 +100,15 @@ HarmonicBalance jointed(double exponent) {
       SlipDensity({PowerLawPart{2e-4 * std::pow(100.0, -exponent + 0.2), exponent, 0.0, 150.0}}));
 }
 
-/// What is kept at a lag. Where it is neither force nor response, the force falls to seven tenths
-/// at resonance, as that of a shaker does.
+/// The constant quantity at a lag. Where it is neither force nor response, the force falls to seven
+/// tenths at resonance, as that of a shaker does.
 Target kept_at(double lag, Held held, const SteadyVibration& peak) {
   if (held == Held::kResponse) return {Quantity::kResponse, peak.response};
   const double dip = held == Held::kNeither ? 1.0 + 0.3 / 0.7 * std::pow(std::cos(lag), 2) : 1.0;
   return {Quantity::kForceAmplitude, dip * peak.force_amplitude};
 }
 
-/// The vibration of a lag, by way of those of lags 3° from each other.
+/// The vibration of a lag, through those of lags 3° apart.
 SteadyVibration at_lag(const HarmonicBalance& balance, double lag, Held held,
                        const SteadyVibration& peak) {
   const double away = lag - 0.5 * kPi;
@@ -157,7 +157,8 @@ Miss miss_of(const HarmonicBalance& balance, const SweepResonance& found) {
 constexpr std::array kShares{0.2, 0.5, 0.8};
 
 /// Calls check(found, miss) for sweeps at steps of so many degrees: densities that fall and rise, D
-/// of slip with X^2.5 to X^3.2; much and little linear damping beside it; of each what may be held.
+/// of slip with X^2.5 to X^3.2; much and little linear damping beside it; of each every constant
+/// quantity.
 template <typename Check>
 void for_each_sweep(double step, const Check& check) {
   for (const double exponent : {-0.5, 0.0, 0.2}) {
@@ -176,7 +177,7 @@ void for_each_sweep(double step, const Check& check) {
 
 void check_and_record(double step, const std::string& name) {
   for_each_sweep(step, [&](const SweepResonance& found, const Miss& miss) {
-    // What it says of its error holds that, but for what the third harmonic changes along a sweep.
+    // The stated error includes that, but not the effect of the third harmonic along a sweep.
     EXPECT_LE(miss.force, found.damping_std + 2e-6);
     EXPECT_LE(miss.frequency, found.frequency_std + 2e-6 * miss.half_width);
     test::record_largest("force, " + name + " [1]", miss.force);
@@ -196,8 +197,8 @@ TEST(SweepResonance, BetweenCoarseStepsIsThatOfTheJoint) {
 
 // A population of sliders that ends at 60 N, below the 80, 120 and 160 N of the peaks: D grows with
 // A^3 below and with A above, and ln C over ln X has a bend at the end that no power
-// has. Coarse steps on either side of it say of their error what the steps beside these tell of
-// that bend, within its double.
+// has. Coarse steps on either side of it state the error that the steps beside these show of that
+// bend, within its double.
 TEST(SweepResonance, KnowsThatAPopulationEndsBetweenItsSteps) {
   const HarmonicBalance balance =
       jointed(SlipDensity({UniformPart{.from = 0.0, .to = 60.0, .weight = 0.1}}));
@@ -216,8 +217,8 @@ TEST(SweepResonance, KnowsThatAPopulationEndsBetweenItsSteps) {
 
 // Readings with noise of 1 % in the force and as much across it, 0.01 rad: F/A and frequency of 200
 // sweeps miss by as much as each says, within what the rms of 200 is known to, four times 1/√400.
-// What is said of each reading is 1 % and 0.01 rad, likewise, with what the clean course is off a
-// straight line.
+// The stated error of each reading is 1 % and 0.01 rad, each with the deviation of the clean course
+// from a straight line.
 TEST(SweepResonance, KnowsHowMuchItsStepsScatter) {
   constexpr std::size_t kSweeps = 200;
   const HarmonicBalance balance = jointed(0.0);
@@ -246,8 +247,8 @@ TEST(SweepResonance, KnowsHowMuchItsStepsScatter) {
   EXPECT_NEAR(std::sqrt(of_phase) / std::hypot(0.01, smooth.phase_std), 1.0, 0.2);
 }
 
-// Noise of one of the two is told from that of the other, by the half that the steps' 30° to 150°
-// and three unknowns leave of it in the other.
+// Noise of one of the two is distinguished from that of the other, by the half that the steps' 30°
+// to 150° and three unknowns leave of it in the other.
 TEST(SweepResonance, TellsNoiseOfAmplitudesFromThatOfPhases) {
   constexpr std::size_t kSweeps = 50;
   const HarmonicBalance balance = jointed(0.0);
@@ -267,8 +268,8 @@ TEST(SweepResonance, TellsNoiseOfAmplitudesFromThatOfPhases) {
 }
 
 // Noise of the response is one of ln X, too, by which K and C are fitted: of a joint that softens
-// it would be told twice as large. By neighbours it is not, and steps without noise have next to
-// none.
+// it would be estimated twice as large. By neighbours it is not, and steps without noise have next
+// to none.
 TEST(SweepResonance, TellsNoiseOfResponsesByNeighbours) {
   constexpr std::size_t kSweeps = 50;
   const HarmonicBalance balance = jointed(0.0);
@@ -385,7 +386,7 @@ TEST(SweepResonance, TellsNothingOfScatterByThreeSteps) {
   const HarmonicBalance balance = jointed(0.0);
   const SweepResonance found =
       resonance_of(swept(balance, Held::kResponse, 1e-4, lags(60.0, 0.5))).value();
-  // The response was held: what is left is what the third harmonic changes along a sweep.
+  // The response was held: the rest is the effect of the third harmonic along a sweep.
   EXPECT_LT(found.damping_std, 2e-6);
   EXPECT_EQ(found.amplitude_std, 0.0);
   EXPECT_EQ(found.phase_std, 0.0);

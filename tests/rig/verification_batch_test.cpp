@@ -61,7 +61,7 @@ TEST(VerificationBatch, KeepsTheOrder) {
   }
 }
 
-TEST(VerificationBatch, LeavesFaultyRecordsOutWhereTold) {
+TEST(VerificationBatch, LeavesFaultyRecordsOutOnRequest) {
   const auto read_with_fault = [](std::size_t i) {
     std::vector<Recording> recordings = read(i);
     if (i == 2) recordings.front().channels.erase(recordings.front().channels.begin() + 1);
@@ -86,7 +86,7 @@ TEST(VerificationBatch, KeepsWhatDoesNotConverge) {
   EXPECT_FALSE(batch.converged());
 }
 
-TEST(VerificationBatch, StopsWhenToldTo) {
+TEST(VerificationBatch, StopsOnRequest) {
   const auto stop = [](std::size_t count, std::size_t total) {
     EXPECT_EQ(total, kFiles);
     return count < 2;

@@ -35,7 +35,7 @@ constexpr int kRecordings = 6;
 constexpr int kNearFifthOfG = 2;  // level_2: 2 m/s² at the exciter
 constexpr int kNearOneAndHalfG = 4;
 
-/// What is wrong in the harmonics of a channel, without its noise.
+/// Error of the harmonics of a channel, without its noise.
 double model_error(const ChannelComparison& channel) {
   return std::sqrt(
       std::max(channel.nrmse * channel.nrmse - channel.noise_share * channel.noise_share, 0.0));
@@ -73,7 +73,7 @@ TEST(Verification, TheLevelOfTheTrueJointIsThatOfTheRecord) {
     const Verification record = verified(reference_joint(), level);
     const PredictedLevel& predicted = record.predicted;
     EXPECT_NEAR(predicted.amplitude / record.recorded.amplitude.value, 1.0, 1e-3);
-    // The noise of the force, 2 mN a sample, is 0.06 mN in a harmonic, 0.3 % of the lowest level.
+    // The noise of the force, 2 mN per sample, is 0.06 mN in a harmonic, 0.3 % of the lowest level.
     EXPECT_NEAR(predicted.input_energy / record.recorded.input_energy.value, 1.0,
                 3.0 * record.recorded.input_energy.std / predicted.input_energy + 1e-4);
     EXPECT_NEAR(predicted.dissipation + predicted.linear_dissipation, predicted.input_energy,
@@ -84,8 +84,7 @@ TEST(Verification, TheLevelOfTheTrueJointIsThatOfTheRecord) {
   }
 }
 
-// What verification is asked for: a joint from 90 levels with 1 % noise, none of them from the
-// records.
+// A typical verification: a joint from 90 levels with 1 % noise, none of them from the records.
 TEST(Verification, AnIdentifiedJointPredictsWithinTwoPercent) {
   for (const std::uint64_t draw : {1, 2, 3}) {
     const Joint joint =

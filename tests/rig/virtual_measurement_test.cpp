@@ -287,7 +287,7 @@ TEST(VirtualMeasurement, RefusesATestThatCannotBe) {
   rig.test->sampling_rate = 1000.0;
   EXPECT_EQ(message(rig),
             "test.sampling_rate = 1000; must be above 1116: twice harmonic 10 of the stuck "
-            "resonance, 55.8 Hz. Slower samples would show the high harmonics as low ones.");
+            "resonance, 55.8 Hz. Slower sampling would alias the high harmonics.");
   rig = reference_rig();
   rig.test->duration = 0.05;
   EXPECT_EQ(message(rig),
@@ -311,7 +311,7 @@ TEST(VirtualMeasurement, SamplesFastEnoughForItsDrives) {
   rig.test->sampling_rate = 1119.0;
   EXPECT_EQ(message(rig),
             "test.sampling_rate = 1119; must be above 1120: twice harmonic 10 of the drive of "
-            "level 1, 56.0 Hz. Slower samples would show the high harmonics as low ones.");
+            "level 1, 56.0 Hz. Slower sampling would alias the high harmonics.");
 }
 
 TEST(VirtualMeasurement, CanBeCancelled) {

@@ -23,7 +23,7 @@ using test::Signals;
 constexpr double kRate = 4096.0;
 constexpr std::uint64_t kDraws = 8;
 
-/// What becomes of a sample on its way into a file.
+/// Changes of a sample on storage in a file.
 using Sampler = std::function<double(double value, RandomStream& random)>;
 
 Sampler noise_of(double deviation) {

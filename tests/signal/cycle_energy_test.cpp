@@ -74,7 +74,7 @@ TEST(CycleEnergyTest, StandardErrorIsTheScatterOfNoisyCoefficients) {
 
 TEST(CycleEnergyTest, SumOverSamplesIsExactForWholeCycles) {
   const Oscillator o = oscillator(16.0);
-  const Axis axis = test::even_axis(1024.0, -0.3);  // 64 points a cycle
+  const Axis axis = test::even_axis(1024.0, -0.3);  // 64 points per cycle
   FourierSeries offset = o.force;
   offset.mean = 7.0;
   const std::vector<double> f = values(offset, axis, 1024);
@@ -87,7 +87,7 @@ TEST(CycleEnergyTest, SumOverSamplesIsExactForWholeCycles) {
 }
 
 TEST(CycleEnergyTest, OrderOfTheSumOverSamples) {
-  // 41.3 points a cycle and then twice as many: the error falls by 2⁴ or more.
+  // 41.3 points per cycle and then twice as many: the error falls by 2⁴ or more.
   const Oscillator o = oscillator(16.0);
   for (const VelocityFrom from : {VelocityFrom::kSeries, VelocityFrom::kSamples}) {
     double before = 0.0;

@@ -56,7 +56,8 @@ TEST(CycleSeriesTest, WholeRecordLosesNoCycle) {
 }
 
 TEST(CycleSeriesTest, FewPointsACycleMakeBlocks) {
-  const Axis axis = test::even_axis(200.0);  // 7.3 points a cycle; order 3, so 14 points are asked
+  const Axis axis =
+      test::even_axis(200.0);  // 7.3 points per cycle; order 3, so 14 points are asked
   const FourierSeries truth = test::series_of(27.4, 3, 1.0, 0.4, 0.2);
   const Fitted record = fitted(axis, {test::sampled(truth, axis, 1000, 1e-4)});
   ASSERT_EQ(record.fit.order(), 3U);

@@ -69,7 +69,7 @@ struct JointedMode {
   double release = 1e-4;   ///< x0, m
 
   /// By the velocity Verlet scheme, `steps` to a sample: its error in frequency is (ωh)²/24
-  /// relative, in dissipation that of peaks met to half a step, (ωh)²/8: with 2000 steps a cycle
+  /// relative, in dissipation that of peaks met to half a step, (ωh)²/8: with 2000 steps per cycle
   /// about 1e−6.
   [[nodiscard]] std::vector<double> sampled(int derivatives, double rate, double duration,
                                             int steps) const {

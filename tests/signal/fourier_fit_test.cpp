@@ -18,7 +18,7 @@ namespace {
 using test::kTwoPi;
 using test::Signals;
 
-constexpr double kFrequency = 55.637;  // Hz; no whole number of samples a cycle
+constexpr double kFrequency = 55.637;  // Hz; no whole number of samples per cycle
 
 struct Record {
   Axis axis;
@@ -167,7 +167,7 @@ ErrorRatios monte_carlo(ResidualModel model, double correlation, std::size_t poi
   return {std::sqrt(omega_square / omega_variance), std::sqrt(square / variance)};
 }
 
-/// 300 records give the scatter to 4 %, and 1.2 is asked for.
+/// 300 records give the scatter to 4 %, and 1.2 is required.
 void expect_right(const ErrorRatios& ratios) {
   EXPECT_GT(ratios.omega, 1.0 / 1.2);
   EXPECT_LT(ratios.omega, 1.2);

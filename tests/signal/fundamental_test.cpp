@@ -120,7 +120,7 @@ TEST(FundamentalTest, RandomWalkSeldomLooksPeriodic) {
     for (std::size_t i = 1; i < kPoints; ++i) walk[i] = walk[i - 1] + random.normal();
     taken += fit({walk}).summary.converged() ? 1 : 0;
   }
-  EXPECT_LE(taken, 2);  // one that swings three times to and fro cannot be told from a vibration
+  EXPECT_LE(taken, 2);  // one with three oscillations cannot be distinguished from a vibration
 }
 
 TEST(FundamentalTest, TooFewPointsACycleFail) {
@@ -128,8 +128,8 @@ TEST(FundamentalTest, TooFewPointsACycleFail) {
   const FourierSeries series = test::series_of(1.9, 1, 1.0, 1.0, 0.0);
   const Signals signals{test::sampled(series, slow, 400)};
   expect_failure(fit_fourier(slow, test::spans(signals), {.frequency_guess = 1.9}),
-                 "points a cycle");
-  expect_failure(fit_fourier(slow, test::spans(signals)), "points a cycle");
+                 "points per cycle");
+  expect_failure(fit_fourier(slow, test::spans(signals)), "points per cycle");
 }
 
 TEST(FundamentalTest, GivenFrequencyIsHeld) {

@@ -144,7 +144,8 @@ TEST(LoadShapes, NameWhatIsWrong) {
                        }),
                        "density[1]");
   const std::vector<double> time{0.0, 1.0};
-  test::expect_message(message([&] { return sine_sweep(time, 10.0, 10.0, true); }), "another than");
+  test::expect_message(message([&] { return sine_sweep(time, 10.0, 10.0, true); }),
+                       "must differ from the first");
   test::expect_message(message([&] { return half_sine(time, 0.0, 0.0); }), "duration of a pulse");
 }
 

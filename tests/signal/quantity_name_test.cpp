@@ -41,10 +41,10 @@ std::string fault(const std::string& name, const Dimension& expected) {
 // Who obeys must not get metres from an acceleration.
 TEST(QuantityName, DecidesWhichUnitIsProposed) {
   EXPECT_EQ(fault("acc1", kLength),
-            "r: channel 'acc1' is without unit; must have a unit. Say what it is in with "
-            "`assume_units acc1=m/s^2`, if it is acceleration as its name says.");
+            "r: channel 'acc1' is without unit; must have a unit. Give its unit with "
+            "`assume_units acc1=m/s^2`, if it is acceleration as its name states.");
   EXPECT_EQ(fault("ldv", kLength),
-            "r: channel 'ldv' is without unit; must have a unit of length. Say what it is in with "
+            "r: channel 'ldv' is without unit; must have a unit of length. Give its unit with "
             "`assume_units ldv=m`.");
   EXPECT_NE(fault("force", kForce).find("`assume_units force=N`."), std::string::npos);
   EXPECT_NE(fault("vel", kVelocity).find("`assume_units vel=m/s`."), std::string::npos);

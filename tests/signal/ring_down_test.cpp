@@ -100,7 +100,7 @@ TEST(RingDown, KeepsOtherModesOut) {
   RingDownOptions options;
   options.frequency = 50.0;
   const RingDown found = ring_down(signal, kRate, kLength, options);
-  // What the taper lets through of a mode of like amplitude six lines away, see decay_window.hpp.
+  // Leakage through the taper of a mode of equal amplitude six lines away, see decay_window.hpp.
   expect_viscous(found, mode, 5e-3);
   EXPECT_TRUE(warns_of(found, "other_peaks"));
 
@@ -410,7 +410,7 @@ std::vector<double> decay_with_a_kink(double rate, double duration) {
 TEST(RingDown, KnowsWhatSensorsShareNoBetterByTheirNumber) {
   MICROSLIP_OF_RELEASE_ALONE();
   // Where a window rounds D(A) off, it does so at every sensor: six that see the same, with a noise
-  // of 1e−5 each, tell no more than one without noise.
+  // of 1e−5 each, are no more informative than one without noise.
   const std::vector<double> motion = decay_with_a_kink(kRate, 6.0);
   const RingDown one = ring_down(with_noise(motion, 1e-9, 1), kRate, kLength, {.from = 0.0});
   Recording recording = recording_of({}, kLength);
@@ -776,7 +776,7 @@ TEST(RingDown, RefusesOptionsOutOfRange) {
   expect_signal_refused(good, {"frequency", "inside of the band"},
                         {.frequency = 80.0, .band = {{40.0, 60.0}}});
   expect_signal_refused(good, {"range", "must rise"}, {.from = 1.0, .to = 0.5});
-  expect_signal_refused(good, {"range", "meet the record"}, {.from = 3.0});
+  expect_signal_refused(good, {"range", "overlap the record"}, {.from = 3.0});
   expect_signal_refused(good, {"least_periods"}, {.least_periods = 1.0});
   expect_signal_refused(good, {"largest_fall"}, {.largest_fall = 0.0});
   expect_signal_refused(good, {"wanted_std"}, {.wanted_std = 0.0});

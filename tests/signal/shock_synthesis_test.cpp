@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// As specifications of functional shock have it: 9 dB an octave, then flat.
+/// As specifications of functional shock have it: 9 dB per octave, then flat.
 const RequiredSpectrum kSpecified{{20.0, 100.0, 1000.0}, {60.0, 500.0, 500.0}};
 
 ShockOptions options_of(const RequiredSpectrum& required) {
@@ -76,7 +76,7 @@ TEST(ShockSynthesis, HasTheSpectrumThatIsAskedFor) {
     double worst = 0.0;
     for (std::size_t j = 0; j < shock.frequency.size(); ++j) {
       const double f = shock.frequency[j];
-      // 9 dB an octave is f^(lg(500/60)/lg 5), written out here.
+      // 9 dB per octave is f^(lg(500/60)/lg 5), written out here.
       const double slope = std::log(500.0 / 60.0) / std::log(5.0);
       const double required = f < 100.0 ? 60.0 * std::pow(f / 20.0, slope) : 500.0;
       const double peak = peak_by_runge_kutta(shock.acceleration, options.sampling_rate, f, zeta);
@@ -120,7 +120,7 @@ TEST(ShockSynthesis, LeavesTheBaseAtRestWhereItWas) {
   EXPECT_NEAR(shock.peak_displacement, most_x, 1e-10 * most_x);
 }
 
-// What a specification of pyrotechnic shock asks for, at the lowest rate that is allowed.
+// A specification of pyrotechnic shock, at the lowest rate that is allowed.
 TEST(ShockSynthesis, ReachesTighterTolerancesAndHighFrequencies) {
   const RequiredSpectrum high{{100.0, 2000.0, 10000.0}, {100.0, 20000.0, 20000.0}};
   ShockOptions options = options_of(high);

@@ -21,7 +21,7 @@ std::vector<std::span<const double>> spans(const Signals& signals);
 
 Axis even_axis(double rate, double start = 0.0);
 
-/// The same times, each moved by up to `jitter` steps.
+/// The even times, each moved by up to `jitter` steps.
 Axis jittered_axis(const Axis& even, std::size_t points, double jitter, std::uint64_t seed);
 
 /// Harmonics a·share^(n−1) with phases that have no pattern.

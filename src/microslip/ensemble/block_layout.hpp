@@ -10,7 +10,7 @@
 #include "microslip/ensemble/ensemble_jobs.hpp"
 
 /// @file
-/// Jobs in blocks: what is dealt, written and read at a time.
+/// Jobs in blocks, the units of distribution, writing and reading.
 
 namespace microslip {
 
@@ -40,17 +40,17 @@ class BlockLayout {
   std::uint64_t block_;
 };
 
-/// Jobs of a block where a plan does not say: a thousandth of all, so that a stop costs little and
-/// all cores have work to the end; 256 at most.
+/// Jobs of a block where a plan does not give them: a thousandth of all, so that a stop costs
+/// little and all cores have work to the end; 256 at most.
 [[nodiscard]] std::uint64_t usual_block(const std::vector<EnsembleGroup>& groups);
 
 /// Results of a block as bytes: of each job a byte 0 and its values, 8 bytes each, least first; or
 /// a byte 1, the size of the reason, 8 bytes, and the reason.
 [[nodiscard]] std::string block_bytes(const std::vector<JobResult>& results);
 
-/// The same back.
+/// Reads the results of block_bytes().
 /// @param bytes  of the block. @param jobs  in it. @param width  values of a job.
-/// @return nothing where they are not of such a block.
+/// @return none where they are not of such a block.
 [[nodiscard]] std::optional<std::vector<JobResult>> block_results(const std::string& bytes,
                                                                   std::uint64_t jobs,
                                                                   std::size_t width);

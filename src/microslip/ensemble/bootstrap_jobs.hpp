@@ -15,10 +15,10 @@
 
 namespace microslip {
 
-/// Identifications of levels that are drawn anew from those measured [Efron & Tibshirani, An
-/// Introduction to the Bootstrap, Chapman & Hall 1993, ch. 6 and 9]: all of them, D and k_eq at the
-/// fit and beside it by the residuals of levels that chance picks, of which the fit has taken edf
-/// of n; or as many levels out of them, each as often as chance has it, which leaves the ends open.
+/// Identifications of levels resampled from those measured [Efron & Tibshirani, An Introduction to
+/// the Bootstrap, Chapman & Hall 1993, ch. 6 and 9]: all of them, D and k_eq of the fit plus the
+/// residuals of randomly chosen levels, of which the fit has used edf of n; or as many levels drawn
+/// from them with repetition, which may leave out the ends.
 class BootstrapJobs : public EnsembleJobs {
  public:
   /// @throws  as make_ensemble_jobs().

@@ -32,12 +32,11 @@ HarmonicBalance balance_of_case(const PlannedCase& planned, const ModelFile& mod
 
 void require_converged(const Summary& summary) {
   if (summary.converged()) return;
-  throw InputError(
-      "the model itself", "not converged",
-      fmt::format("must have a response, for what differs from it: {}", summary.reason));
+  throw InputError("the model itself", "not converged",
+                   fmt::format("must have a response, as the reference: {}", summary.reason));
 }
 
-/// Of what drives the model: a force, or the acceleration of its base.
+/// The constant excitation of the model: a force, or the acceleration of its base.
 Target kept_of(const PlannedCase& planned, const ModelFile& model) {
   if (planned.response) return {Quantity::kResponse, *planned.response};
   const bool base = model.structure.base_driven();
@@ -76,9 +75,9 @@ class ResponseCase : public CasePrediction {
     require_converged(reference_.summary);
     prediction_ = std::make_unique<ResponseOfDraws>(balance_, reference_, range_);
     const bool of_force = planned.response.has_value();
-    ResponseCurve told = reference_;
-    judge_response(balance_, model, range_.kept.quantity, told);
-    warnings_ = std::move(told.warnings);
+    ResponseCurve judged = reference_;
+    judge_response(balance_, model, range_.kept.quantity, judged);
+    warnings_ = std::move(judged.warnings);
     const CurveHeight height = of_force ? drive_of(model.structure) : displacement_height();
     const std::string name(height.name);
     std::vector<double> axis;
@@ -123,9 +122,9 @@ class BackboneCase : public CasePrediction {
         mode_(planned.mode - 1),
         reference_(balance_.resonances(responses_, mode_)) {
     require_converged(reference_.summary);
-    ResponseCurve told = reference_;
-    judge_backbone(balance_, model, told);
-    warnings_ = std::move(told.warnings);
+    ResponseCurve judged = reference_;
+    judge_backbone(balance_, model, judged);
+    warnings_ = std::move(judged.warnings);
     std::vector<double> axis;
     for (const SteadyVibration& point : reference_.points) axis.push_back(point.response);
     const CurveHeight drive = drive_of(model.structure);
@@ -171,7 +170,7 @@ class MarchCase : public CasePrediction {
       add_outputs(size);
       if (!own.absolute_sizes().empty()) add_outputs(size + "absolute_");
     }
-    options_.estimate_error = false;  // that of the model tells it for all
+    options_.estimate_error = false;  // that of the model is used for all
     warnings_ = std::move(own.warnings);
     std::ranges::move(march_warnings(model, own.reach), std::back_inserter(warnings_));
     std::ranges::move(gain_warnings(model, loads_), std::back_inserter(warnings_));

@@ -13,22 +13,23 @@
 
 namespace microslip {
 
-/// A case of a plan: what it predicts of structures that differ in numbers from that of a model,
-/// over the axes that the model's own prediction has. Immutable.
+/// A case of a plan: predictions of structures that differ in numbers from that of a model, over
+/// the axes of the model's own prediction. Immutable.
 class CasePrediction {
  public:
   virtual ~CasePrediction() = default;
 
-  /// What a structure gives.
+  /// Outputs of a prediction.
   [[nodiscard]] virtual const std::vector<EnsembleOutput>& outputs() const = 0;
 
-  /// Of one structure. @throws InputError  where the structure breaks a rule of the method.
+  /// The prediction of one structure. @throws InputError  where the structure breaks a rule of the
+  /// method.
   [[nodiscard]] virtual JobResult of(StructureDraw drawn) const = 0;
 
-  /// What must be known of the prediction of the model itself, and so of all.
+  /// Warnings of the prediction of the model itself, and so of all.
   [[nodiscard]] virtual const std::vector<Warning>& warnings() const = 0;
 
-  /// Files that it follows from beside those of the model.
+  /// Input files in addition to those of the model.
   [[nodiscard]] virtual std::vector<std::string> files() const { return {}; }
 };
 

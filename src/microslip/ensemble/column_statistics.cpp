@@ -14,7 +14,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr unsigned kDigitBits = 11;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 constexpr unsigned kAllBits = 64;
-/// Columns whose order statistics are sought at once: some 100 kB each.
+/// Columns whose order statistics are computed at once: some 100 kB each.
 constexpr std::size_t kMostColumns = 2048;
 constexpr std::size_t kTargets = 6;  // two of each of three quantiles
 

@@ -21,7 +21,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t kPoints = 50;  // of the curves that are told
+constexpr std::size_t kPoints = 50;  // points of the curves in the results
 /// Levels and draws of a test have streams of their own.
 constexpr std::uint64_t kStreamsOfDraws = std::uint64_t{1} << 40U;
 
@@ -39,12 +39,12 @@ double relative_rms(const std::vector<double>& found, const std::vector<double>&
   return std::sqrt(sum / static_cast<double>(truth.size()));
 }
 
-/// Share of the knots from 5 to 95 % of the range at which the band holds the truth, and its mean
-/// width over the mean density of the truth there.
+/// Share of the knots from 5 to 95 % of the range at which the band contains the truth, and its
+/// mean width over the mean density of the truth there.
 std::pair<double, double> judge_band(const InversionResult& result, const DensityBands& bands,
                                      const SlipDensity& truth) {
   const double reach = result.slip_force.back();
-  double held = 0.0;
+  double inside = 0.0;
   double count = 0.0;
   double width = 0.0;
   double density = 0.0;
@@ -53,11 +53,11 @@ std::pair<double, double> judge_band(const InversionResult& result, const Densit
     if (f < 0.05 * reach || f > 0.95 * reach) continue;
     const double there = truth.density(f);
     count += 1.0;
-    held += bands.lower[j] <= there && there <= bands.upper[j] ? 1.0 : 0.0;
+    inside += bands.lower[j] <= there && there <= bands.upper[j] ? 1.0 : 0.0;
     width += bands.upper[j] - bands.lower[j];
     density += there;
   }
-  return {held / count, density > 0.0 ? width / density : std::nan("")};
+  return {inside / count, density > 0.0 ? width / density : std::nan("")};
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ DesignJobs::DesignJobs(DesignPlan design, const EnsemblePlan& plan)
         "the tests have the linear damping of the joint file, {:g} J/m^2{}", linear_damping_,
         plan_.identification.linear_damping
             ? ""
-            : "; no identification seeks it: linear_damping = true does"));
+            : "; no identification includes it: set linear_damping = true"));
   }
 }
 
@@ -96,7 +96,7 @@ void DesignJobs::take_joint(const std::string& plan) {
   inputs_ = hashes_of({plan_.joint});
   if (dissipation(*truth_, plan_.lowest) > 0.0) return;
   throw InputError(fmt::format("{}: design.amplitude_m[0]", plan), plan_.lowest,
-                   "must be one at which the joint loses energy");
+                   "must be an amplitude at which the joint dissipates");
 }
 
 void DesignJobs::take_rig(const std::string& plan) {

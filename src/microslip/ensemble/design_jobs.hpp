@@ -15,14 +15,14 @@
 
 namespace microslip {
 
-/// Virtual tests of a joint that is known, identified: what error to expect of so many levels with
-/// such a noise. Each design, a number of levels with a noise of each kind, is a group; test i has
-/// the random numbers i in all of them, so that designs differ by what they are alone.
+/// Identifications from virtual tests of a known joint: the error to expect for a number of levels
+/// and a noise. Each design, a number of levels with a noise of each kind, is a group; test i has
+/// the random numbers i in all of them, so that designs differ only by their parameters.
 ///
 ///     A_i* = A_i(1 + σ_A z),  D_i* = max(0, D(A_i)(1 + σ_D z)),  k_i* = k_eq(A_i) + σ_k k z
 ///
 /// With a rig the levels are records of its sensors that are reduced, RigTests; designs differ by
-/// the noise of the sensors and by which of them are looked at.
+/// the noise of the sensors and by the sensors used.
 class DesignJobs : public EnsembleJobs {
  public:
   /// @throws  as make_ensemble_jobs().

@@ -36,10 +36,10 @@ std::string difference(const std::string& old_heading, const std::string& new_he
   }
   for (const std::string& before : old_lines) {
     if (std::ranges::find(new_lines, before) == new_lines.end()) {
-      return fmt::format("{} is no more", before);
+      return fmt::format("{} was removed", before);
     }
   }
-  return "the order of what it follows from";
+  return "the order of its inputs";
 }
 
 }  // namespace
@@ -51,10 +51,10 @@ EnsembleJournals::EnsembleJournals(const std::string& out, const std::string& he
   for (const std::string& path : journals_beside(out)) {
     JournalReader journal(path);
     if (journal.heading() != heading) {
-      throw InputError(fmt::format("{}: what it follows from", path),
+      throw InputError(fmt::format("{}: inputs", path),
                        in_quotes(difference(journal.heading(), heading), 300),
-                       "must be what is asked for now",
-                       "Undo the change to go on with it, or remove the journal to begin anew.");
+                       "must be those of this run",
+                       "Undo the change to continue, or remove the journal to start again.");
     }
     for (const JournalBlock& block : journal.blocks()) {
       if (block.number >= places_.size()) continue;
@@ -67,8 +67,8 @@ EnsembleJournals::EnsembleJournals(const std::string& out, const std::string& he
 std::vector<JobResult> EnsembleJournals::results(std::uint64_t block) const {
   const Place& place = places_[block];
   if (!has(block)) {
-    throw FileError(out_, "has lost its journal meanwhile",
-                    "Another run may have ended with it: see whether the result is there.");
+    throw FileError(out_, "lost its journal during the run",
+                    "Another run may have finished it: check whether the result is there.");
   }
   const JobRange range = layout_.jobs_of(block);
   const JournalReader& journal = journals_[place.journal];
@@ -76,7 +76,7 @@ std::vector<JobResult> EnsembleJournals::results(std::uint64_t block) const {
       block_results(journal.content(place.block), range.count, groups_[range.group].width());
   if (results) return *std::move(results);
   throw FormatError({.file = journal.path()}, "the results of a block", "something else",
-                    "Remove the journal to begin anew.");
+                    "Remove the journal to start again.");
 }
 
 std::vector<std::string> EnsembleJournals::paths() const {

@@ -13,12 +13,12 @@
 
 namespace microslip {
 
-/// All journals of a result: what is done of it.
+/// All journals of a result: its finished blocks.
 class EnsembleJournals {
  public:
-  /// Opens those beside the result that are there.
+  /// Opens the journals beside the result.
   /// @param out      path of the result. @param heading  of the plan and its inputs.
-  /// @throws InputError  where one is of something else, naming what has changed.
+  /// @throws InputError  where one belongs to other inputs, naming the change.
   /// @throws FileError, FormatError  as JournalReader.
   EnsembleJournals(const std::string& out, const std::string& heading,
                    const std::vector<EnsembleGroup>& groups, const BlockLayout& layout);
@@ -45,7 +45,7 @@ class EnsembleJournals {
   const std::vector<EnsembleGroup>& groups_;
   const BlockLayout& layout_;
   std::vector<JournalReader> journals_;
-  std::vector<Place> places_;  ///< one a block
+  std::vector<Place> places_;  ///< one per block
 };
 
 }  // namespace microslip

@@ -31,7 +31,7 @@ namespace {
 /// Between two of these a power cut may cost what was appended.
 constexpr double kSecondsBetweenSyncs = 10.0;
 
-/// What the jobs follow from, a line each.
+/// The inputs of the jobs, one per line.
 std::vector<std::string> fingerprint_of(const EnsemblePlan& plan, const EnsembleJobs& jobs,
                                         std::uint64_t block) {
   std::vector<std::string> lines{fmt::format("version = {}", kVersion)};
@@ -40,7 +40,7 @@ std::vector<std::string> fingerprint_of(const EnsemblePlan& plan, const Ensemble
   for (const EnsembleGroup& group : jobs.groups()) {
     lines.push_back(fmt::format("values of {} = {}", group.name, group.width()));
   }
-  // As they lie beside the plan: from where it is called does not matter.
+  // Paths relative to the plan: the working directory does not matter.
   const std::string folder = plan.file.substr(0, plan.file.rfind('/') + 1);
   for (const InputHash& input : jobs.inputs()) {
     const bool beside = input.file.starts_with(folder);
@@ -50,7 +50,7 @@ std::vector<std::string> fingerprint_of(const EnsemblePlan& plan, const Ensemble
   return lines;
 }
 
-/// What a plan comes to, the same in each process.
+/// A prepared plan, the same in each process.
 struct Prepared {
   EnsemblePlan plan;
   std::unique_ptr<const EnsembleJobs> jobs;
@@ -76,10 +76,11 @@ void check_block(const EnsemblePlan& plan, const EnsembleJobs& jobs, std::uint64
   for (const EnsembleGroup& group : jobs.groups()) {
     const double size = 8.0 * static_cast<double>(group.width()) * static_cast<double>(block);
     if (size <= kLargestBlock) continue;
-    throw InputError(fmt::format("{}: block", plan.file), static_cast<double>(block),
-                     fmt::format("must be so small that the values of a block of '{}' fit in {:g} "
-                                 "bytes",
-                                 group.name, kLargestBlock));
+    throw InputError(
+        fmt::format("{}: block", plan.file), static_cast<double>(block),
+        fmt::format("must be small enough for the values of a block of '{}' to fit in {:g} "
+                    "bytes",
+                    group.name, kLargestBlock));
   }
 }
 
@@ -94,7 +95,7 @@ Prepared prepare(const std::string& path) {
   return prepared;
 }
 
-/// All processes prepare, or none goes on.
+/// All processes prepare, or all stop.
 Prepared prepare_together(const std::string& path, Team& team) {
   std::optional<Prepared> prepared;
   std::string failure;
@@ -150,7 +151,7 @@ class Coordinator {
     check_outputs(planned_outputs());
     for (const EnsembleGroup& group : prepared.jobs->groups()) done_.jobs += group.jobs;
     take_stock();
-    if (too_many_failed()) to_do_.clear();  // as it stands nothing more is worth doing
+    if (too_many_failed()) to_do_.clear();  // further jobs are useless then
   }
 
   /// Blocks that this run has to do.
@@ -182,7 +183,7 @@ class Coordinator {
 
   FinishedEnsemble finish() {
     done_.wall_seconds = watch_.seconds();
-    if (writer_) writer_->sync();  // kept open: nobody takes up a journal that is to be removed
+    if (writer_) writer_->sync();  // kept open: no process continues a journal to be removed
     if (cancelled_) throw Cancelled();
     if (too_many_failed()) fail_by_failures();
     if (run_.shard) {
@@ -209,7 +210,7 @@ class Coordinator {
     return {run_.out, prepared_.heading(), prepared_.jobs->groups(), layout_};
   }
 
-  /// What is done, and what is left.
+  /// Determines the finished and the remaining blocks.
   void take_stock() {
     const EnsembleJournals found = journals();
     std::uint64_t missing = 0;
@@ -229,9 +230,9 @@ class Coordinator {
     if (!run_.merge || missing == 0) return;
     throw InputError(fmt::format("{}: jobs in journals", run_.out),
                      fmt::format("{} of {}", done_.jobs - missing, done_.jobs),
-                     fmt::format("must be all for a merge; found {} journal{}",
+                     fmt::format("must be all for a merge; {} journal{} found",
                                  found.paths().size(), found.paths().size() == 1 ? "" : "s"),
-                     "Run the shards that are missing, or without `merge`, which does the rest.");
+                     "Run the missing shards, or run without `merge` to do the rest.");
   }
 
   [[nodiscard]] bool too_many_failed() const {
@@ -259,8 +260,9 @@ class Coordinator {
     std::ranges::stable_sort(failed.reasons, std::ranges::greater(), &FailedJobs::Reason::count);
     throw NothingFound(fmt::format(
         "{}: not converged: {} of {} jobs failed, more than most_failed = {:g} of all; most often: "
-        "{} ({} jobs, first number {}). {} keeps what is done: change most_failed and run again to "
-        "go on",
+        "{} ({} jobs, first number {}). {} keeps the finished jobs: change most_failed and run "
+        "again "
+        "to continue",
         prepared_.plan.file, done_.failed, done_.jobs, prepared_.plan.most_failed,
         failed.reasons.front().text, failed.reasons.front().count, failed.reasons.front().first,
         own_journal()));

@@ -12,9 +12,9 @@
 #include "microslip/ensemble/team.hpp"
 
 /// @file
-/// An ensemble from its plan to its result. What is finished stands in a journal beside the result,
-/// `RESULT.journal` or of a share `RESULT.3-of-20.journal`, so that a stop costs the blocks in work
-/// alone; a run takes what any of them holds and does the rest.
+/// An ensemble from its plan to its result. Finished blocks are kept in a journal beside the
+/// result, `RESULT.journal` or of a share `RESULT.3-of-20.journal`, so that a stop costs only the
+/// blocks in work; a run takes the blocks of all of them and does the rest.
 
 namespace microslip {
 
@@ -27,19 +27,19 @@ struct EnsembleShard {
   [[nodiscard]] static EnsembleShard parse(const std::string& text);
 };
 
-/// What is to be done.
+/// Options of run_ensemble().
 struct EnsembleRun {
   std::string plan;                         ///< path of the plan
   std::string out;                          ///< of the result, HDF5
   std::string table;                        ///< of the table, CSV
   std::optional<EnsembleShard> shard = {};  ///< only this share, and no result
-  bool merge = false;                       ///< nothing is computed: all blocks must be there
+  bool merge = false;                       ///< no jobs are run: all blocks must exist
   bool keep_journals = false;               ///< they stay where the result is written
-  std::string command = {};                 ///< that the table is made by
+  std::string command = {};                 ///< recorded in the table
   Progress progress = {};                   ///< of the jobs, those done before among them
 };
 
-/// What came of it.
+/// Result of run_ensemble().
 struct FinishedEnsemble {
   EnsembleResult result;               ///< empty where shards are missing
   std::uint64_t jobs = 0;              ///< of the plan
@@ -51,16 +51,17 @@ struct FinishedEnsemble {
   std::vector<Warning> warnings = {};  ///< what must be known of it
 };
 
-/// Reads the plan, does the jobs that no journal holds, and writes result and table: both or none.
-/// @param run   what is to be done; the same in all processes of the team.
-/// @param team  who does it.
-/// @return nothing where this process does not coordinate.
+/// Reads the plan, does the jobs that are in no journal, and writes result and table: both or none.
+/// @param run   the options; the same in all processes of the team.
+/// @param team  the processes or threads.
+/// @return none where this process does not coordinate.
 /// @throws FileError, FormatError, InputError  as the readers; where a journal is of another plan,
 ///     other inputs or another version, naming what has changed; for a merge without all blocks,
 ///     naming what is missing.
-/// @throws NothingFound  where more jobs fail than the plan allows: the journal keeps what is done.
-/// @throws WriteError    where the disk does not take it: the journal keeps what is done.
-/// @throws Cancelled     as progress says.
+/// @throws NothingFound  where more jobs fail than the plan allows: the journal keeps the finished
+/// jobs.
+/// @throws WriteError    where the disk is full: the journal keeps the finished jobs.
+/// @throws Cancelled     as requested by progress.
 [[nodiscard]] std::optional<FinishedEnsemble> run_ensemble(const EnsembleRun& run, Team& team);
 
 /// The summary.

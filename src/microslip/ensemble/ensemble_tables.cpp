@@ -16,11 +16,11 @@
 namespace microslip {
 namespace {
 
-/// Of a sweep: beyond it the values are in the HDF5 file alone.
+/// Largest number of rows of a sweep: beyond it the values are only in the HDF5 file.
 constexpr double kMostRows = 1e6;
 /// Curves of a sweep with more values are in the HDF5 file alone.
 constexpr std::size_t kMostValuesOfSweep = 16;
-constexpr std::size_t kMostReasonsTold = 10;
+constexpr std::size_t kMostReasonsShown = 10;
 
 /// The shortest text that reads back as the same; empty for what is none.
 std::string number_text(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
@@ -99,7 +99,7 @@ double rows_of_sweep(const EnsembleResult& result) {
 std::string failures_comment(const GroupResult& group) {
   std::string text = fmt::format("\n{}: {} jobs, {} failed", group.group.name, group.group.jobs,
                                  group.failed.count);
-  for (std::size_t i = 0; i < std::min(group.failed.reasons.size(), kMostReasonsTold); ++i) {
+  for (std::size_t i = 0; i < std::min(group.failed.reasons.size(), kMostReasonsShown); ++i) {
     const FailedJobs::Reason& reason = group.failed.reasons[i];
     text += fmt::format("\nfailed: {}: {}, first number {}: {}", group.group.name, reason.count,
                         reason.first, reason.text);
@@ -159,7 +159,7 @@ std::string ensemble_table(const EnsembleResult& result,
     grid_table(result, rows_of).write_to(table);
   } else {
     if (grid)
-      table.add_comment("values of the grid are in the HDF5 file; these are over all of it");
+      table.add_comment("values of the grid are in the HDF5 file; these are over the whole grid");
     statistics_table(result).write_to(table);
   }
   return table.str();
@@ -171,7 +171,7 @@ std::vector<Warning> ensemble_warnings(const EnsembleResult& result) {
     if (group.failed.count > 0) {
       warnings.push_back(
           {"jobs_failed", fmt::format("{} of {} jobs of '{}' failed and are in no quantile; the "
-                                      "reasons stand in the files.",
+                                      "files give the reasons.",
                                       group.failed.count, group.group.jobs, group.group.name)});
     }
     std::size_t at = 0;
@@ -197,7 +197,7 @@ std::vector<Warning> ensemble_warnings(const EnsembleResult& result) {
   const bool grid = few != result.groups.end() && !few->group.grid.empty();
   if (few != result.groups.end() && !grid) {
     warnings.push_back(
-        {"few_jobs", fmt::format("'{}' has {} jobs: beyond its quantiles of {} % lies none. "
+        {"few_jobs", fmt::format("'{}' has {} jobs: none lies beyond its quantiles of {} %. "
                                  "Take {:.0f} or more.",
                                  few->group.name, few->group.jobs, 100.0 * result.confidence,
                                  std::ceil(fewest - 1e-6))});

@@ -10,20 +10,20 @@
 
 namespace microslip {
 
-/// The table of a result as CSV. Of a sweep a row a point of the grid and output, `value` among
-/// them; of all else a row a value of an output, with its statistics over the jobs. The column
-/// `unit` says of what all numbers of a row are, but for those of an axis.
-/// @param result    to be told.
+/// The table of a result as CSV. Of a sweep one row per point of the grid and output, `value` among
+/// them; of all else one row per value of an output, with its statistics over the jobs. The column
+/// `unit` gives the unit of all numbers of a row except those of an axis.
+/// @param result    to be written.
 /// @param rows_of   of the jobs of a group.
 /// @param command   that the file is made by.
-/// @param warnings  what must be known of it.
+/// @param warnings  of the result.
 [[nodiscard]] std::string ensemble_table(const EnsembleResult& result,
                                          const std::function<RowPass(std::size_t group)>& rows_of,
                                          const std::string& command,
                                          const std::vector<Warning>& warnings);
 
-/// What must be known of a result: jobs that failed, values that few jobs have, quantiles beyond
-/// which no job lies.
+/// Warnings of a result: jobs that failed, values that few jobs have, quantiles beyond which no job
+/// lies.
 [[nodiscard]] std::vector<Warning> ensemble_warnings(const EnsembleResult& result);
 
 }  // namespace microslip

@@ -9,21 +9,21 @@
 
 namespace microslip {
 
-/// What an identification of an ensemble tells: area, and where it is sought linear_damping; the
-/// density over slip forces, the dissipation over amplitudes.
+/// Outputs of an identification of an ensemble: area, and where it is identified linear_damping;
+/// the density over slip forces, the dissipation over amplitudes.
 class FoundDensity {
  public:
   /// @param stiffness       k, N/m.
   /// @param lowest, highest amplitudes of the levels, m.
   /// @param points          of the curves, ≥ 2.
-  /// @param linear_damping  whether it is sought.
+  /// @param linear_damping  whether it is identified.
   FoundDensity(double stiffness, double lowest, double highest, std::size_t points,
                bool linear_damping);
 
-  /// What it tells.
+  /// The outputs.
   [[nodiscard]] const std::vector<EnsembleOutput>& outputs() const { return outputs_; }
 
-  /// Of one result.
+  /// The values of one result.
   [[nodiscard]] std::vector<double> of(const InversionResult& result) const;
 
  private:

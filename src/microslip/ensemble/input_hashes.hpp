@@ -14,7 +14,7 @@ namespace microslip {
 /// The SHA-256 of files, each once, in their order. @throws FileError  where one cannot be read.
 [[nodiscard]] std::vector<InputHash> hashes_of(const std::vector<std::string>& files);
 
-/// Of a model with its joints, their draws, and what its cases read.
+/// Hashes of a model with its joints, their draws, and the inputs of its cases.
 /// @param file  of the model.
 [[nodiscard]] std::vector<InputHash> hashes_of(
     const std::string& file, const ModelFile& model,

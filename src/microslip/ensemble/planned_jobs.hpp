@@ -11,13 +11,14 @@
 #include "microslip/io/config/named_values.hpp"
 
 /// @file
-/// What the jobs of an ensemble are, whatever they compute and wherever that is done.
+/// The jobs of an ensemble, whatever they compute and wherever they run.
 
 namespace microslip {
 
-/// What a job gave.
+/// Result of a job.
 struct JobResult {
-  /// Of all outputs of the group in their order; NaN: the job has none. Empty where it failed.
+  /// Values of all outputs of the group in their order; NaN: the job has none. Empty where it
+  /// failed.
   std::vector<double> values = {};
   std::string failure = {};  ///< why it failed; empty where it did not
 };
@@ -38,9 +39,9 @@ class EnsembleJobs {
   [[nodiscard]] const std::vector<EnsembleGroup>& groups() const { return groups_; }
   /// The files that they follow from, with their contents' SHA-256.
   [[nodiscard]] const std::vector<InputHash>& inputs() const { return inputs_; }
-  /// What is assumed, in words, a line each.
+  /// Assumptions as text, one per line.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-  /// What a reader of the results must know of the inputs and of the methods.
+  /// Warnings of the inputs and of the methods.
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
 
  protected:

@@ -18,7 +18,7 @@ Correlation correlation_of(const std::string& text) {
 
 PredictJobs::PredictJobs(const PredictPlan& predict, const EnsemblePlan& plan) {
   const ModelFile model = read_model(predict.model);
-  // How many there are and what is told of them is the plan's, not that of a band.
+  // Their number and statistics are those of the plan, not of a band.
   draws_.emplace(draws_of(model, predict.model,
                           {.count = DrawOptions::kMostDraws,
                            .confidence = 0.5,

@@ -37,7 +37,7 @@ Rig with_sensors(Rig rig, const std::vector<std::string>& chosen) {
   return rig;
 }
 
-/// What only solving the rig can find names its file.
+/// Errors found only by solving the rig name its file.
 InputError of_file(const InputError& error, const std::string& file) {
   return error.renamed(fmt::format("{}: {}", input_name(file), rig_key(error.name())));
 }
@@ -50,7 +50,7 @@ RigTests::RigTests(const DesignPlan& design, const std::string& plan)
       files_{design.rig, true_joint_path(rig_, design.rig)},
       truth_(read_joint(files_.back())) {
   if (!rig_.test) {
-    throw InputError(input_name(file_) + ": test", "none", "must be there for virtual tests",
+    throw InputError(input_name(file_) + ": test", "none", "must be given for virtual tests",
                      "Add the section [test].");
   }
   const bool scaled =
@@ -119,7 +119,7 @@ void RigTests::measure(const DesignPlan& design) {
 
 Levels RigTests::levels(std::size_t levels, double noise, std::size_t sensors,
                         std::uint64_t seed) const {
-  // All sensors record, whichever are looked at: those chosen have the same noise in each choice.
+  // All sensors record, whichever are used: those chosen have the same noise in each choice.
   Rig rig = rig_;
   if (rig.noise) {
     for (double* std : {&rig.noise->force, &rig.noise->acceleration, &rig.noise->vibrometer}) {
@@ -136,7 +136,7 @@ Levels RigTests::levels(std::size_t levels, double noise, std::size_t sensors,
     }
   }
   if (reduced.empty()) {
-    throw InputError("levels", "none", "must be left where noise has taken the dissipation");
+    throw InputError("levels", "none", "must remain where noise hides the dissipation");
   }
   return measured_levels(reduced).levels;
 }

@@ -15,7 +15,7 @@
 #include "microslip/rig/virtual_test/virtual_measurement.hpp"
 
 /// @file
-/// Virtual tests of a rig: what its sensors record, reduced to levels.
+/// Virtual tests of a rig: records of its sensors, reduced to levels.
 
 namespace microslip {
 
@@ -43,11 +43,11 @@ class RigTests {
   [[nodiscard]] bool equal_ratios() const { return rig_.test->logarithmic; }
   /// Paths of the rig and of its joint.
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
-  /// What must be known of the vibrations.
+  /// Warnings of the vibrations.
   [[nodiscard]] const std::vector<Warning>& warnings() const { return warnings_; }
 
-  /// Levels of a test, without those that have lost their dissipation in noise, or turn more than
-  /// twice a cycle.
+  /// Levels of a test, without those whose dissipation is below noise or that have more than two
+  /// reversals per cycle.
   /// @param levels   place of the number of levels in the design.
   /// @param noise    factor of the noise of all sensors of the rig.
   /// @param sensors  place of the sensors in the design; 0 where it has none.
@@ -64,9 +64,9 @@ class RigTests {
   Rig rig_;
   std::vector<std::string> files_;  // of the rig, then of its joint
   JointFile truth_;
-  std::vector<VirtualMeasurement> tests_;  // one a number of levels
+  std::vector<VirtualMeasurement> tests_;  // one per number of levels
   StickState state_;                       // of the records
-  std::vector<Reducer> reducers_;          // one a choice of sensors
+  std::vector<Reducer> reducers_;          // one per choice of sensors
   double lowest_ = 0.0;
   double highest_ = 0.0;
   std::vector<Warning> warnings_;

@@ -20,13 +20,13 @@ namespace {
 void check_number_matters(const SweepAxis& axis, const std::string& plan) {
   const std::string key = axis.path.substr(0, axis.path.rfind('['));
   const bool spread = axis.joint.empty() && key.ends_with("_std");
-  const bool told = !axis.joint.empty() && (axis.path.starts_with("identification") ||
-                                            axis.path.starts_with("provenance"));
-  if (!spread && !told) return;
+  const bool record = !axis.joint.empty() && (axis.path.starts_with("identification") ||
+                                              axis.path.starts_with("provenance"));
+  if (!spread && !record) return;
   throw InputError(fmt::format("{}: number", plan), in_quotes(axis.number),
-                   "must be one that a prediction depends on: this tells how uncertain or how old "
-                   "others are",
-                   spread ? "The kind predict draws by it." : "");
+                   "must be one that a prediction depends on: this states uncertainty or origin "
+                   "of others",
+                   spread ? "The kind predict uses it for draws." : "");
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ void SweepJobs::find_joints(const ModelFile& model, const std::string& plan) {
   }
 }
 
-/// Whether each number is there and matters, told before hours of work.
+/// Checks that each number exists and has an effect, before hours of work.
 void SweepJobs::try_axes(const std::string& plan) const {
   for (const SweepAxis& axis : sweep_.axes) {
     check_number_matters(axis, plan);

@@ -16,7 +16,7 @@ namespace microslip {
 /// fastest.
 class SweepJobs : public EnsembleJobs {
  public:
-  /// @throws  as make_ensemble_jobs(); naming an axis whose number is not there.
+  /// @throws  as make_ensemble_jobs(); naming an axis whose number does not exist.
   SweepJobs(SweepPlan sweep, const EnsemblePlan& plan);
 
   JobResult run(std::size_t group, std::uint64_t index) const override;

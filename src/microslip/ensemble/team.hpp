@@ -11,7 +11,7 @@
 #include "microslip/base/execution.hpp"
 
 /// @file
-/// Who does the blocks of an ensemble: the threads of this process, or the ranks of a cluster.
+/// Teams that do the blocks of an ensemble: the threads of this process, or the ranks of a cluster.
 
 namespace microslip {
 
@@ -19,8 +19,8 @@ namespace microslip {
 class Team {
  public:
   /// Does a block; a function of its number alone. Called for several at once. It calls the second
-  /// between its jobs, so that a process can answer others meanwhile, and lets through what that
-  /// throws.
+  /// between its jobs, so that a process can answer others meanwhile, and passes on exceptions of
+  /// that.
   using Work =
       std::function<std::string(std::uint64_t block, const std::function<void()>& between_jobs)>;
   /// Takes what a block gave, one at a time, where coordinates() is true. False: no more is dealt.
@@ -28,7 +28,7 @@ class Team {
 
   virtual ~Team() = default;
 
-  /// Whether this process is the one that receives, writes and tells.
+  /// Whether this process receives results, writes and reports.
   [[nodiscard]] virtual bool coordinates() const = 0;
 
   /// Comes to the same everywhere, before anything is dealt.
@@ -39,20 +39,20 @@ class Team {
   /// @throws StoppedElsewhere  at the others.
   virtual void agree(const std::string& text, const std::string& failure) = 0;
 
-  /// Deals blocks, and returns at all when all are done or nothing more is to be dealt.
+  /// Distributes blocks, and returns in all processes when all are done or none is left.
   /// @param blocks   their numbers; those of the coordinator count.
-  /// @param work     what each process does of a block.
-  /// @param receive  what the coordinator does with the results.
+  /// @param work     run by each process for a block.
+  /// @param receive  called by the coordinator with the results.
   /// @throws  at the coordinator what work throws anywhere, and what receive throws.
   /// @throws StoppedElsewhere  at the others where that is.
   virtual void deal(const std::vector<std::uint64_t>& blocks, const Work& work,
                     const Receive& receive) = 0;
 };
 
-/// What a process ends by where another one tells why.
+/// Ends a process where another one reports the reason.
 class StoppedElsewhere : public std::exception {
  public:
-  /// For who asks all the same.
+  /// A text nevertheless.
   [[nodiscard]] const char* what() const noexcept override { return "stopped by another process"; }
 };
 

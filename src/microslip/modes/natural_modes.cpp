@@ -32,16 +32,17 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr Index kDenseRows = 300;
 /// More than are wanted, so that a gap between eigenvalues lies behind the last.
 constexpr Index kSpareModes = 8;
-/// Of θ = 1/(ω² − σ), relative; Rayleigh–Ritz squares the error of a shape.
+/// Tolerance of θ = 1/(ω² − σ), relative; Rayleigh–Ritz squares the error of a shape.
 constexpr double kLanczosTolerance = 1e-11;
 constexpr Index kMostRestarts = 300;
 constexpr int kMostSearches = 8;
 /// Between eigenvalues, relative: less is one multiple eigenvalue.
 constexpr double kGap = 1e-6;
-/// Of a rigid body, relative: strain energy over that of the diagonal of K, and ω² over the next.
+/// Bounds of a rigid-body mode, relative: strain energy over that of the diagonal of K, and ω² over
+/// the next.
 constexpr double kRigidStrain = 1e-9;
 constexpr double kRigidGap = 1e-4;
-/// Residuals beyond this are said.
+/// Larger residuals are reported.
 constexpr double kResidualAllowed = 1e-6;
 
 double trace_ratio(const VibratingSystem& system) {
@@ -139,7 +140,7 @@ MatrixXd inverse_iterated(const VibratingSystem& system, const ShiftedFactor& fa
 }
 
 /// All modes of a small system. Where M has no inverse, by θ = 1/(ω² − σ) of the Cholesky factors
-/// of K − σM: what moves without mass has θ = 0.
+/// of K − σM: motion without mass has θ = 0.
 MatrixXd dense_shapes(const VibratingSystem& system, double shift) {
   const MatrixXd unit = MatrixXd::Identity(system.size(), system.size());
   const MatrixXd stiffness = system.stiffness_times(unit);
@@ -200,7 +201,7 @@ class Search {
         ShiftedFactor(system_, highest * highest * (1.0 + 1e-12)).eigenvalues_below();
     if (below > kMostModes) {
       throw InputError("modes in the range", static_cast<double>(below),
-                       fmt::format("must be {} at most", kMostModes));
+                       fmt::format("must be at most {}", kMostModes));
     }
     if (below > 0) return static_cast<Index>(below);
     find_lowest(1);
@@ -219,7 +220,7 @@ class Search {
     }
   }
 
-  /// Shapes of the modes nearest to the shift, beside those known.
+  /// Shapes of the modes nearest to the shift, other than those known.
   [[nodiscard]] MatrixXd lanczos(Index count, const MatrixXd& known) {
     const Deflation deflation(system_.mass, known);
     const Index basis = std::min(system_.size(), std::max<Index>(2 * count + 10, 40));

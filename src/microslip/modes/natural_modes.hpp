@@ -23,28 +23,28 @@ struct ModeRange {
 struct NaturalModes {
   Eigen::VectorXd eigenvalues;   ///< ω_i², rad²/s², rising; 0 of rigid bodies
   Eigen::MatrixXd shapes;        ///< φ_i, its largest component positive; n × m
-  std::size_t rigid_bodies = 0;  ///< the first of them that strain nothing
+  std::size_t rigid_bodies = 0;  ///< number of rigid-body modes, the first
   Eigen::VectorXd residuals;     ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ|, 1; of rigid bodies 0
-  /// Of the system, at a σ < 0 that is small against ω² of the first mode that strains.
+  /// Factor of the system, at a σ < 0 that is small against ω² of the first mode that strains.
   std::shared_ptr<const ShiftedFactor> factor;
   Summary summary = {};  ///< its residual is the largest; doubtful where modes may be missing
 };
 
 /// Shift-invert Lanczos from below all eigenvalues (Spectra), then Rayleigh–Ritz of the shapes
-/// after inverse iteration. That no mode is missed is seen by the Sturm count at a frequency above
-/// them; those that are missed, of eigenvalues that are multiple, are sought beside those that were
-/// found. Small systems are solved densely. The modes of rigid bodies are told by a strain energy
-/// that is rounding, against both that of the diagonal of K and that of the next mode.
+/// after inverse iteration. The Sturm count at a frequency above them shows whether a mode is
+/// missed; missed ones, of multiple eigenvalues, are sought orthogonal to those found. Small
+/// systems are solved densely. Rigid-body modes are recognised by a strain energy at rounding
+/// level, against both that of the diagonal of K and that of the next mode.
 /// @param system    whose M has no negative eigenvalue.
 /// @param range     with more modes than the system has, all of them.
-/// @param progress  told what is done of some number of solutions; may stop the search.
+/// @param progress  called with the solutions done of their number; may stop the search.
 /// @throws InputError  where K has a negative eigenvalue beyond rounding, or no mode is in the
 ///     range.
 /// @throws Cancelled
 [[nodiscard]] NaturalModes find_natural_modes(const VibratingSystem& system, const ModeRange& range,
                                               const Progress& progress = {});
 
-/// Turns the columns round whose largest component is negative: a shape has no sign of its own.
+/// Negates the columns whose largest component is negative: a shape has no sign of its own.
 void turn_positive(Eigen::MatrixXd& shapes);
 
 }  // namespace microslip

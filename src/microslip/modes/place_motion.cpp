@@ -25,7 +25,7 @@ std::string_view direction_name(NodalDirection direction) {
 
 std::string node_name(std::int64_t node) { return fmt::format("node {}", node); }
 
-/// θ·m of one node: by its own rotations.
+/// Adds θ·m of one node by its own rotations.
 void add_own_rotation(const MeshRows& rows, const MeshPlace& place, const Eigen::Vector3d& m,
                       Motion& motion) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -50,7 +50,7 @@ void add_fitted_rotation(const MeshRows& rows, const MeshPlace& place, const Eig
     if (std::abs(along_axes(k)) <= kRounding * m.norm()) continue;
     if (!(axes.eigenvalues()(k) > least)) {
       throw InputError(place.name, fmt::format("{} nodes on one line", place.nodes.size()),
-                       "must have nodes beside it to tell a rotation about it",
+                       "must have nodes beside it to determine a rotation about it",
                        "Give another direction, or a set with more nodes.");
     }
     turned += axes.eigenvectors().col(k) * (along_axes(k) / axes.eigenvalues()(k));
@@ -104,7 +104,7 @@ MeshRows::MeshRows(const MeshedStructure& structure, RowsOf rows_of)
   for (std::size_t i = 0; i < structure.nodes.size(); ++i) {
     if (nodes_.emplace(structure.nodes[i].number, i).second) continue;
     throw InputError("node", static_cast<double>(structure.nodes[i].number),
-                     "must be there once only");
+                     "must occur only once");
   }
 }
 
@@ -131,7 +131,7 @@ std::size_t MeshRows::row(const std::string& place, std::int64_t node,
                    fmt::format("must be a degree of freedom of the matrices: of this node they "
                                "have {}",
                                there),
-                   "It may be held, or follow others, where the matrices were made.");
+                   "It may be fixed, or depend on others, where the matrices were made.");
 }
 
 std::vector<std::pair<NodalDirection, std::size_t>> MeshRows::rows(const std::string& place,
@@ -144,7 +144,7 @@ std::vector<std::pair<NodalDirection, std::size_t>> MeshRows::rows(const std::st
   if (!found.empty()) return found;
   if (rows_.empty()) {
     throw InputError(place, node_name(node),
-                     "cannot be found: whose the rows of the matrices are is not told",
+                     "cannot be found: the degrees of freedom of the rows are not given",
                      "Name rows, or give the degrees of freedom.");
   }
   const bool of_test = rows_of_ == RowsOf::kTest;
@@ -171,7 +171,7 @@ Eigen::Vector3d MeshRows::position(const std::string& place, std::int64_t node) 
   if (found != nodes_.end()) {
     return Eigen::Map<const Eigen::Vector3d>(structure_.nodes[found->second].position.data());
   }
-  throw InputError(place, node_name(node), "must have a position, to tell rotations by",
+  throw InputError(place, node_name(node), "must have a position, to determine rotations",
                    "Give the nodes with their coordinates.");
 }
 

@@ -15,21 +15,21 @@
 
 namespace microslip {
 
-/// What messages call the rows of.
+/// The object that messages name for rows.
 enum class RowsOf : std::uint8_t { kMatrices, kTest };
 
-/// Which row of the matrices is whose, and where nodes are.
+/// The degrees of freedom of the rows of the matrices, and the positions of the nodes.
 class MeshRows {
  public:
   /// @param structure  must outlive this object.
-  /// @param rows_of    for messages; the rows of a test are what was measured.
+  /// @param rows_of    for messages; the rows of a test are its measured degrees of freedom.
   /// @throws InputError  where two rows are of one degree of freedom, two nodes of one number, or
-  ///                     the rows are told of another number than there are.
+  ///                     the number of rows differs from the given one.
   explicit MeshRows(const MeshedStructure& structure, RowsOf rows_of = RowsOf::kMatrices);
 
   /// n.
   [[nodiscard]] std::size_t size() const;
-  /// Of a degree of freedom; nothing where the matrices lack it.
+  /// The row of a degree of freedom; none where the matrices lack it.
   [[nodiscard]] std::optional<std::size_t> find(std::int64_t node, NodalDirection direction) const;
   /// @throws InputError  naming the place, the node and the directions that it has.
   [[nodiscard]] std::size_t row(const std::string& place, std::int64_t node,
@@ -61,8 +61,8 @@ using Motion = std::vector<std::pair<std::size_t, double>>;
 ///
 /// with s_i = r_i − c: the rigid motion nearest to those of the nodes in the sense of least
 /// squares; about an axis a, a·θ. Of one node, θ is its own rotation.
-/// @throws InputError  naming the place and the node or degree of freedom that is missing; where a
-///                     rotation is not told by nodes on one line.
+/// @throws InputError  naming the place and the node or degree of freedom that is missing; where
+///                     nodes on one line do not determine a rotation.
 [[nodiscard]] Motion place_motion(const MeshRows& rows, const MeshPlace& place,
                                   const MeshDirection& direction);
 

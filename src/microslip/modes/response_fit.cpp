@@ -27,15 +27,15 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kMostFitted = 100;  // modes; a band with more is to be cut
 constexpr int kLongSearch = 200;
 constexpr int kShortSearch = 30;  // between two additions
-/// Of noise, explained by what a mode adds in the mean of its unknowns: more is a mode.
+/// Noise explained by a mode, in the mean of its unknowns: more is a mode.
 constexpr double kShows = 10.0;
-/// Of the power of all responses at its frequency: a mode with less only mends the others.
+/// Share of the power of all responses at its frequency: a mode with less only corrects the others.
 constexpr double kLeastPower = 0.01;
-/// Peaks in a row that are none: the rest is noise or misfit.
+/// Consecutive rejected peaks, after which the rest is noise or misfit.
 constexpr std::size_t kMostRefused = 5;
-constexpr double kHighestLoss = 0.6;   // η of a mode that a peak tells
+constexpr double kHighestLoss = 0.6;   // η of a mode that a peak determines
 constexpr double kLeastMisfit = 1e-3;  // of a response: no noise is taken for less
-constexpr double kNothingLeft = 1e-6;  // of the rms: nobody measures better
+constexpr double kNothingLeft = 1e-6;  // of the rms: better than any measurement
 constexpr double kFrequencySettled = 1e-12;
 constexpr double kLossSettled = 1e-8;
 constexpr double kFarthestStep = 0.5;  // of ln ω in half-widths, of ln η
@@ -101,8 +101,8 @@ MatrixXd basis_of(const Group& group, std::span<const Pole> poles, DampingLaw la
   return parts(columns);
 }
 
-/// Of the two columns of each mode with complex numerators by ln ω, then by ln η: 4 a mode. What is
-/// parallel to a column of the basis is left out; it is projected away.
+/// Derivatives of the two columns of each mode with complex numerators by ln ω, then by ln η: 4 per
+/// mode. Parts parallel to a column of the basis are left out; they are projected away.
 MatrixXd slopes_of(const Group& group, std::span<const Pole> poles, DampingLaw law) {
   Eigen::MatrixXcd columns(group.x.size(), 4 * static_cast<Index>(poles.size()));
   for (Index i = 0; i < group.x.size(); ++i) {
@@ -255,7 +255,7 @@ class ResponseSearch {
     MatrixXd slopes = slopes_of(group, poles_, options_.law);
     const Index modes = static_cast<Index>(poles_.size());
     const MatrixXd numerators = fit.coefficients.topRows(2 * modes);
-    const MatrixXd along = slopes.transpose() * fit.rest;  // 4 a mode × members
+    const MatrixXd along = slopes.transpose() * fit.rest;  // 4 per mode × members
     slopes -= fit.basis_directions * (fit.basis_directions.transpose() * slopes);
     const MatrixXd products = slopes.transpose() * slopes;
     const MatrixXd common = numerators * numerators.transpose();
@@ -298,7 +298,7 @@ class ResponseSearch {
   /// Levenberg–Marquardt from where the poles are.
   Summary settle(int most) {
     Summary summary{.stop = Stop::kLimit, .method = "fit of frequency responses"};
-    summary.reason = fmt::format("{} iterations are used up", most);
+    summary.reason = fmt::format("the limit of {} iterations was reached", most);
     const double all = power();
     double now = cost(poles_);
     double damping = 1e-3;
@@ -329,7 +329,7 @@ class ResponseSearch {
       const bool exact = now <= 1e-24 * all;
       if (settled || exact || !better) {
         summary.stop = Stop::kConverged;
-        summary.reason = exact ? "nothing is left" : "no step is better";
+        summary.reason = exact ? "no residual is left" : "no step is better";
         break;
       }
     }
@@ -446,7 +446,7 @@ class ResponseSearch {
     if (!(explained > kShows * now / freedom())) return false;
     if (share_of(poles_.size() - 1) < kLeastPower) return false;
     const VectorXd residues = drive_residues();
-    // Of one sign, whichever it is: the caller tells of a negative one.
+    // Of either sign: the caller reports a negative one.
     if (residues(0) * residues(residues.size() - 1) > 0.0) return true;
     undriven_.push_back(poles_.back().frequency() * middle_);
     return false;
@@ -472,7 +472,7 @@ class ResponseSearch {
                                    pole.frequency() * middle_ / kTurn, pole.loss()),
                        fmt::format("must be between {:.6g} and {:.6g} Hz, and narrower",
                                    lowest_ / kTurn, highest_ / kTurn),
-                       "There is no peak where it began. Give other start_frequency_Hz, fewer "
+                       "There is no peak at its start. Give other start_frequency_Hz, fewer "
                        "modes, or another band_Hz.");
     }
   }
@@ -507,7 +507,7 @@ class ResponseSearch {
     }
     if (!options_.count || poles_.size() == wanted) return;
     throw InputError("modes in the frequency responses", static_cast<double>(poles_.size()),
-                     fmt::format("must be {}, as count asks for", wanted),
+                     fmt::format("must be {}, as count requests", wanted),
                      "Give fewer, or start_frequency_Hz.");
   }
 
@@ -561,7 +561,7 @@ class ResponseSearch {
     return fit;
   }
 
-  /// By how much real coefficients of one response change with ln ω_r, ln η_r.
+  /// Derivatives of the real coefficients of one response by ln ω_r, ln η_r.
   [[nodiscard]] MatrixXd coefficient_slopes(const MatrixXd& slopes, const LinearFit& real,
                                             const MatrixXd& basis, Index member) const {
     const Index modes = static_cast<Index>(poles_.size());

@@ -23,7 +23,7 @@ struct BandResponse {
   int derivatives = 0;                       ///< p
 };
 
-/// What modes are looked for.
+/// Options of the search for modes.
 struct ResponseFitOptions {
   std::vector<double> start = {};         ///< ω near those of the modes, rad/s; empty: a search
   std::optional<std::size_t> count = {};  ///< so many are searched; as many as show without it
@@ -31,14 +31,14 @@ struct ResponseFitOptions {
   std::size_t drive = 0;                  ///< which of the responses is that at the drive point
 };
 
-/// What was found.
+/// Result of fit_responses().
 struct ResponseFit {
   std::vector<Mode> modes = {};  ///< rising in ω, all within the band
   Eigen::MatrixXd residues;      ///< R_jr, 1/kg: responses × modes
-  Eigen::MatrixXd errors;        ///< their standard deviations by what the fit leaves, 1/kg
-  Eigen::MatrixXcd numerators;   ///< N_jr, R where modes are not held to be real
-  Eigen::VectorXd upper;         ///< U_j, m/N: what modes above the band give way
-  std::vector<double> misfits;  ///< rms of what the fit leaves of each response over its own rms, 1
+  Eigen::MatrixXd errors;        ///< their standard deviations by the residual, 1/kg
+  Eigen::MatrixXcd numerators;   ///< N_jr, R where modes need not be real
+  Eigen::VectorXd upper;         ///< U_j, m/N: compliance of modes above the band
+  std::vector<double> misfits;   ///< rms of the residual of each response over its own rms, 1
   std::vector<double> undriven;  ///< ω of peaks that only a negative residue of the drive explains
   Summary summary = {};          ///< of the last search for ω and η
 };
@@ -49,12 +49,12 @@ struct ResponseFit {
 ///
 /// or iη_r ω_r² (kHysteretic), with N_jr = a + b iω/ω_r or a + ib, by least squares over all
 /// responses: a, b, L and U are linear, ω_r and η_r common to all and found by variable projection
-/// [Golub & Pereyra], each response weighed by what the fit leaves of it. Beginning with the
-/// highest peak of Σ|H_j|², a mode is added where the rest has its highest peak, as long as
-/// it shows: it explains more than noise would, and a tenth of the motion there. The residues R of
-/// real modes are those with b = 0 and the same ω_r and η_r.
+/// [Golub & Pereyra], each response weighted by its residual. Beginning with the highest peak of
+/// Σ|H_j|², a mode is added where the residual has its highest peak, as long as it is significant:
+/// it explains more than noise would, and a tenth of the motion there. The residues R of real modes
+/// are those with b = 0 and the same ω_r and η_r.
 /// @param responses  one or more, over the same band.
-/// @throws InputError  where no mode, or fewer than asked for, are found.
+/// @throws InputError  where no mode, or fewer than requested, are found.
 [[nodiscard]] ResponseFit fit_responses(std::span<const BandResponse> responses,
                                         const ResponseFitOptions& options);
 

@@ -24,7 +24,8 @@ constexpr double kCircle = 2.0 * std::numbers::pi;
 struct DriveColumn {
   std::vector<const FrequencyResponse*> responses;
   std::vector<DegreeOfFreedom> freedoms;
-  std::vector<const FrequencyResponse*> exchanged;  // seen from both sides, or null; one a response
+  std::vector<const FrequencyResponse*>
+      exchanged;  // seen from both sides, or null; one per response
   std::size_t drive = 0;
 };
 
@@ -55,7 +56,7 @@ void check_once(const std::vector<FrequencyResponse>& responses) {
         find_response(responses, response.response, response.reference);
     if (first == &response) continue;
     throw InputError(response.name, "there already, as " + first->name,
-                     "must be there once: which of them holds is not told");
+                     "must occur once: which of them applies is not given");
   }
 }
 
@@ -83,7 +84,7 @@ DriveColumn drive_column(const TestedStructure& test) {
       "test.drive", freedom_name(drive),
       fmt::format("must have a response to its own force in {}: shapes are scaled by it",
                   test.file),
-      fmt::format("Forces there are at {}.", drives_there(test.responses)));
+      fmt::format("There are forces at {}.", drives_there(test.responses)));
 }
 
 BandResponse in_band(const FrequencyResponse& response,
@@ -97,7 +98,7 @@ BandResponse in_band(const FrequencyResponse& response,
   }
   if (cut.omega.size() < kLeastLines) {
     throw InputError(response.name, fmt::format("{} lines in the band", cut.omega.size()),
-                     fmt::format("must have {} at least", kLeastLines));
+                     fmt::format("must have at least {}", kLeastLines));
   }
   if (std::ranges::all_of(cut.values, [](const auto& value) { return std::norm(value) == 0.0; })) {
     throw InputError(response.name, "0 throughout the band", "must move");
@@ -150,11 +151,11 @@ void warn_of_lines(const std::vector<BandResponse>& responses, TestedModes& test
   if (other == responses.end()) return;
   tested.warnings.push_back(
       {"lines_differ",
-       "not all frequency responses are over the same frequencies. Each counts at "
+       "not all frequency responses are over the same frequencies. Each is used at "
        "its own; were they measured in one session, of one structure?"});
 }
 
-void tell_misfits(const DriveColumn& column, const ResponseFit& fit, TestedModes& tested) {
+void report_misfits(const DriveColumn& column, const ResponseFit& fit, TestedModes& tested) {
   std::string poor;
   std::size_t count = 0;
   double sum = 0.0;
@@ -189,8 +190,8 @@ void warn_of_close_modes(const ResponseFit& fit, TestedModes& tested) {
     if (next.angular_frequency - one.angular_frequency > width) continue;
     tested.warnings.push_back(
         {"modes_coincide",
-         fmt::format("{} and {} overlap: they are closer than they are wide. Of one drive point "
-                     "their shapes are hard to tell apart.",
+         fmt::format("{} and {} overlap: they are closer than they are wide. With one drive point "
+                     "their shapes are hard to distinguish.",
                      mode_name(i, one.angular_frequency / kCircle),
                      mode_name(i + 1, next.angular_frequency / kCircle))});
   }
@@ -201,7 +202,7 @@ void warn_of_undriven(const ResponseFit& fit, TestedModes& tested) {
     tested.warnings.push_back(
         {"mode_not_driven",
          fmt::format("a peak at {:.6g} Hz is left out: its residue at the drive point has the "
-                     "other sign than that of the highest. A mode that hardly moves there, or an "
+                     "opposite sign to that of the highest. A mode that hardly moves there, or an "
                      "artefact.",
                      omega / kCircle)});
   }
@@ -212,11 +213,12 @@ void warn_of_undriven(const ResponseFit& fit, TestedModes& tested) {
   throw InputError(
       fmt::format("residue of {} in {}", mode, drive.name), fmt::format("{:.4g} 1/kg", residue),
       "must be positive: force and response at one place move in phase below a resonance",
-      "Are the signs of the two channels as their directions say? Or give a drive point that moves "
+      "Are the signs of the two channels as their directions state? Or give a drive point that "
+      "moves "
       "in this mode, or a band without it.");
 }
 
-/// Of mode r, in which the drive point moves.
+/// Adds mode r, in which the drive point moves.
 void add_fitted_mode(const DriveColumn& column, const ResponseFit& fit, std::size_t mode,
                      TestedModes& tested) {
   const auto r = static_cast<Eigen::Index>(mode);
@@ -239,12 +241,13 @@ void add_fitted_mode(const DriveColumn& column, const ResponseFit& fit, std::siz
   if (spread < kUncertainScale) return;
   tested.warnings.push_back(
       {"scale_uncertain",
-       fmt::format("the residue of {} at the drive point is known to ± {:.2g} % only: its shape is "
-                   "scaled by the root of it. Does the drive point hardly move in it?",
+       fmt::format("the residue of {} at the drive point is known only to ± {:.2g} %: its shape is "
+                   "scaled by its root. Does the drive point hardly move in it?",
                    name, 100.0 * spread)});
 }
 
-void tell_drive_compliance(const DriveColumn& column, const ResponseFit& fit, TestedModes& tested) {
+void report_drive_compliance(const DriveColumn& column, const ResponseFit& fit,
+                             TestedModes& tested) {
   const auto d = static_cast<Eigen::Index>(column.drive);
   double inside = 0.0;
   for (std::size_t r = 0; r < fit.modes.size(); ++r) {
@@ -252,7 +255,7 @@ void tell_drive_compliance(const DriveColumn& column, const ResponseFit& fit, Te
     inside += fit.residues(d, static_cast<Eigen::Index>(r)) / (omega * omega);
   }
   tested.origin.push_back(fmt::format(
-      "drive point: static {:.4g} m/N in the modes; what lies above the band gives way {:.4g} m/N, "
+      "drive point: static {:.4g} m/N in the modes; modes above the band add {:.4g} m/N, "
       "which the model lacks",
       inside, fit.upper(d)));
 }
@@ -282,8 +285,8 @@ TestedModes modes_of_responses(const TestedStructure& test, const TestedModesOpt
                   "Hz, scaled by the drive point",
                   cut.size(), test.kept_as, test.file, freedom_name(*test.drive),
                   drive.omega.front() / kCircle, drive.omega.back() / kCircle));
-  tell_misfits(column, fit, tested);
-  tell_drive_compliance(column, fit, tested);
+  report_misfits(column, fit, tested);
+  report_drive_compliance(column, fit, tested);
   check_reciprocity(test, column, tested);
   warn_of_lines(cut, tested);
   warn_of_close_modes(fit, tested);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t kDisplacement = 8;
 constexpr std::int64_t kUnknownType = 0;
 constexpr std::int64_t kGeneralType = 1;
-/// Of a mode that has both: η and 2ζ are one damping told twice.
+/// Largest difference of η and 2ζ of a mode that are one damping given twice.
 constexpr double kSameDamping = 1e-3;
 
 /// A mode shape, and how messages call it.
@@ -45,7 +45,7 @@ std::vector<NamedShape> shapes_wanted(const TestedStructure& test,
   }
   if (!test.modal_mass.empty() && test.modal_mass.size() != wanted.size()) {
     throw InputError("modal_mass_kg", fmt::format("{} values", test.modal_mass.size()),
-                     fmt::format("must be {}, one a mode of {}", wanted.size(), test.file));
+                     fmt::format("must be {}, one per mode of {}", wanted.size(), test.file));
   }
   for (std::size_t i = 0; i < test.modal_mass.size(); ++i) wanted[i].mass = test.modal_mass[i];
   std::ranges::stable_sort(wanted, {},
@@ -62,14 +62,14 @@ std::vector<NamedShape> shapes_wanted(const TestedStructure& test,
 void check_values(const NamedShape& named) {
   const UffModeShape& shape = *named.shape;
   if (shape.values_per_node != 3 && shape.values_per_node != 6) {
-    throw InputError(named.name, fmt::format("{} values a node", shape.values_per_node),
+    throw InputError(named.name, fmt::format("{} values per node", shape.values_per_node),
                      "must have 3 or 6: x, y, z, and rotations");
   }
   const std::int64_t type = shape.specific_type;
   if (type != kDisplacement && type != kUnknownType && type != kGeneralType) {
     throw InputError(named.name, fmt::format("data type {}", type),
-                     "must be of displacements, 8: by how much a velocity or acceleration is "
-                     "scaled is not told");
+                     "must be of displacements, 8: the scale of a velocity or acceleration is "
+                     "not given");
   }
   if (shape.nodes.empty()) throw InputError(named.name, "no node", "must have at least one");
 }
@@ -89,7 +89,7 @@ UnitSystem units_of(const NamedShape& named, const std::optional<UnitSystem>& ot
   if (named.shape->length_unit) return {*named.shape->length_unit, *named.shape->force_unit};
   if (otherwise) return *otherwise;
   throw InputError(named.name, "without units",
-                   "must have dataset 164 before it: modal masses and lengths are not SI by nature",
+                   "must have dataset 164 before it: modal masses and lengths need not be SI",
                    "Give length_unit and force_unit in [test].");
 }
 
@@ -128,7 +128,7 @@ Eigen::VectorXcd scaled(const NamedShape& named) {
   return values / std::sqrt(mass);
 }
 
-/// What stands for √(modal mass in kg) where shapes have lengths in this unit.
+/// Factor to √(modal mass in kg) where shapes have lengths in this unit.
 void to_si(const UnitSystem& units, bool mass_in_kg, std::span<const DegreeOfFreedom> freedoms,
            Eigen::VectorXcd& shape) {
   const double mass = mass_in_kg ? 1.0 : units.force / units.length;
@@ -138,7 +138,7 @@ void to_si(const UnitSystem& units, bool mass_in_kg, std::span<const DegreeOfFre
   }
 }
 
-/// The real shape nearest to one that has a common phase; tells how complex it is.
+/// The real shape nearest to a complex one, with its collinearity and phase.
 Eigen::VectorXd real_shape(const NamedShape& named, Eigen::VectorXcd shape, TestedModes& tested) {
   if (named.shape->imaginary.empty()) {
     tested.lines.push_back("real");
@@ -156,8 +156,8 @@ Eigen::VectorXd real_shape(const NamedShape& named, Eigen::VectorXcd shape, Test
 
 [[noreturn]] void fail_undamped(const NamedShape& named) {
   throw InputError("damping of " + named.name, "not in the file, or 0",
-                   "must be known: a structure without it has no end of its resonances",
-                   "Give damping_ratio or loss_factor in [modes], [0.0] where it is to be none.");
+                   "must be known: without it resonances are unbounded",
+                   "Give damping_ratio or loss_factor in [modes], [0.0] for none.");
 }
 
 struct Damping {
@@ -177,7 +177,7 @@ Damping damping_of(const NamedShape& named) {
       std::abs(viscous - hysteretic) > kSameDamping * viscous) {
     throw InputError("damping of " + named.name,
                      fmt::format("ratio {:g} and loss factor {:g}", viscous / 2.0, hysteretic),
-                     "must be one of both, or the same",
+                     "must be one of them, or the same",
                      "Give damping_ratio or loss_factor in [modes].");
   }
   if (viscous > 0.0) return {viscous, DampingLaw::kViscous};
@@ -191,10 +191,10 @@ void add_mode(const NamedShape& named, const TestedModesOptions& options, bool f
   if (!(named.shape->frequency >= 0.0)) {
     throw InputError(named.name, named.shape->frequency, "must be 0 Hz or above");
   }
-  if (!options.damping_told && mode.angular_frequency > 0.0) {
+  if (!options.damping_given && mode.angular_frequency > 0.0) {
     const Damping damping = damping_of(named);
     if (!first && damping.law != tested.law) {
-      throw InputError("damping of " + named.name, "viscous beside hysteretic of other modes",
+      throw InputError("damping of " + named.name, "viscous with hysteretic of other modes",
                        "must be of one kind", "Give damping_ratio or loss_factor in [modes].");
     }
     mode.loss_factor = damping.loss;
@@ -211,7 +211,7 @@ std::string datasets_of(const std::vector<NamedShape>& wanted) {
   return same ? fmt::format("dataset {}", first) : "datasets 55 and 2414";
 }
 
-/// A mode that stands in the file twice, as in datasets 55 and 2414, would count twice.
+/// Refuses a mode that is in the file twice, as in datasets 55 and 2414: it would count twice.
 void check_different(const std::vector<NamedShape>& wanted, const TestedModes& tested) {
   constexpr double kSame = 1e-6;
   for (std::size_t j = 1; j < wanted.size(); ++j) {
@@ -222,8 +222,8 @@ void check_different(const std::vector<NamedShape>& wanted, const TestedModes& t
       if (frequency - wanted[i].shape->frequency > kSame * frequency) continue;
       if (std::abs(one.dot(later)) < (1.0 - kSame) * one.norm() * later.norm()) continue;
       throw InputError(wanted[j].name, fmt::format("of the shape of {}", wanted[i].name),
-                       "must be another mode: it would count twice",
-                       "Keep one of both in the file.");
+                       "must be a different mode: it would count twice",
+                       "Keep one of them in the file.");
     }
   }
 }

@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 /// chose σ by ω₁.
 constexpr int kMostSolutions = 60;
 constexpr double kLoadTolerance = 1e-13;
-/// Share of the static compliance: less of it is what rounding leaves beside the modes.
+/// Share of the static compliance: less is rounding of the modes.
 constexpr double kLeastShare = 1e-10;
 /// Above it a shape has no mass to speak of, and no place in a model.
 constexpr double kHighestFrequency = 1e8;  // Hz
@@ -30,7 +30,7 @@ struct StaticDisplacement {
   double residual = 0.0;
 };
 
-/// By the factors of K − σM, with the difference to K mended in turns.
+/// Solves by the factors of K − σM, with iterative refinement for the difference to K.
 StaticDisplacement solve_statically(const VibratingSystem& system, const NaturalModes& modes,
                                     const MatrixXd& loads) {
   const auto rigid = modes.shapes.leftCols(static_cast<Index>(modes.rigid_bodies));
@@ -85,7 +85,7 @@ StaticAttachment attach_statically(const VibratingSystem& system, const NaturalM
   found.compliance = load.cwiseProduct(beside).colwise().sum().transpose();
   found.in_modes = modal_displacements(modes, load).colwise().squaredNorm().transpose();
   take_out_modes(system, modes, beside);
-  // Of loads that do next to the same, or nothing beside the modes, no shape is made.
+  // Loads with nearly equal effects, or with none beyond the modes, get no shape.
   for (Index j = 0; j < beside.cols(); ++j) {
     if (found.compliance(j) > 0.0) beside.col(j) /= std::sqrt(found.compliance(j));
   }
@@ -99,7 +99,7 @@ StaticAttachment attach_statically(const VibratingSystem& system, const NaturalM
   for (Index j = 0; j < kept; ++j) {
     basis.col(j) /= std::sqrt(shares.eigenvalues()(beside.cols() - kept + j));
   }
-  // Of unit strain energy now: their modal masses are 1/ω².
+  // They have unit strain energy now: their modal masses are 1/ω².
   const MatrixXd masses = basis.transpose() * (system.mass * basis);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> ritz((0.5 * (masses + masses.transpose())).eval());
   const double least = std::pow(2.0 * std::numbers::pi * kHighestFrequency, -2.0);

@@ -19,9 +19,9 @@
 namespace microslip {
 namespace {
 
-/// Of the modes in a summary: more fill the screen.
+/// Modes shown in a summary: more would fill the screen.
 constexpr std::size_t kModesShown = 12;
-/// Of a mode's strain energy in springs across joints: more is said.
+/// Share of a mode's strain energy in springs across joints above which a warning is given.
 constexpr double kSharedSprings = 0.05;
 
 double in_hertz(double angular_frequency) { return angular_frequency / (2.0 * std::numbers::pi); }
@@ -64,7 +64,7 @@ std::vector<StructuralJoint> joints_of(const StructureFile& file, const Structur
   return joints;
 }
 
-/// How many of the modes stand for those that are left out, where none or some do.
+/// Number of modes that represent those left out, where it is known.
 std::optional<std::size_t> attachments_of(const StructureFile& file, const StructureModes& modes) {
   if (file.test) return std::nullopt;
   const std::size_t attached = modes.model.size() - modes.modes;
@@ -97,10 +97,10 @@ void warn_of_damped_springs(const StructureFile& file, StructureModes& modes) {
   if (share < kSharedSprings) return;
   modes.warnings.push_back(
       {"springs_damped",
-       fmt::format("with one loss factor for all stuck modes the springs of the joints, which hold "
-                   "{:.2g} % of the strain energy of mode {}, are damped as the rest is, beside "
-                   "what joints lose by slip. Take joints = \"free\" for the loss factor of a "
-                   "material, or one a mode as measured with the joints stuck.",
+       fmt::format("with one loss factor for all stuck modes the springs of the joints, which have "
+                   "{:.2g} % of the strain energy of mode {}, are damped as the rest, in addition "
+                   "to the slip of the joints. Take joints = \"free\" for the loss factor of a "
+                   "material, or one per mode as measured with the joints stuck.",
                    100.0 * share, mode + 1)});
 }
 
@@ -110,7 +110,7 @@ std::string attachment_text(const StructureModes& modes) {
   return fmt::format(
       "\nOf {} modes those from number {} on are static attachments, no vibrations of the "
       "structure: "
-      "with them joints\nand excited points give way under a constant force as in the matrices.",
+      "with them joints\nand excited points have the static compliance of the matrices.",
       modes.model.size(), modes.modes + 1);
 }
 
@@ -119,14 +119,14 @@ std::string damping_text(const Mode& mode, DampingLaw law) {
                                      : fmt::format("loss factor {:.4g}", mode.loss_factor);
 }
 
-/// What the reader of a model by a test must know.
-std::vector<std::string> origin_of(const TestedStructureModes& tested, bool damping_told) {
+/// Origin of a model from a test, for its reader.
+std::vector<std::string> origin_of(const TestedStructureModes& tested, bool damping_given) {
   std::vector<std::string> text = tested.origin;
   for (std::size_t i = 0; i < tested.lines.size(); ++i) {
     const Mode& mode = tested.modes.model.modes()[i];
     text.push_back(fmt::format(
         "mode {}: {:.6f} Hz, {}, {}", i + 1, in_hertz(mode.angular_frequency),
-        damping_told ? "damping as told" : damping_text(mode, tested.law), tested.lines[i]));
+        damping_given ? "damping as given" : damping_text(mode, tested.law), tested.lines[i]));
   }
   return text;
 }
@@ -161,10 +161,10 @@ StructureModel model_of_structure(const std::string& path, const std::string& ou
   StructureFile file = read_structure_file(path);
   std::optional<TestedStructureModes> tested;
   if (file.test) tested = modes_of_test(file);
-  const bool damping_told = !file.loss_factor.empty();
-  if (tested && !damping_told) file.law = tested->law;
+  const bool damping_given = !file.loss_factor.empty();
+  if (tested && !damping_given) file.law = tested->law;
   std::vector<std::string> origin;
-  if (tested) origin = origin_of(*tested, damping_told);
+  if (tested) origin = origin_of(*tested, damping_given);
   StructureModes modes = tested
                              ? std::move(tested->modes)
                              : compute_structure_modes(file.structure, options_of(file, progress));
@@ -203,7 +203,7 @@ std::string describe_structure_model(const std::string& path, const StructureMod
                         in_hertz(modes.model.modes()[modes.modes - 1].angular_frequency));
   }
   if (modes.rigid_bodies > 0) {
-    text += fmt::format("  {} of them of rigid bodies, without stiffness\n", modes.rigid_bodies);
+    text += fmt::format("  {} of them rigid-body modes, without stiffness\n", modes.rigid_bodies);
   }
   text += compliance_lines(modes);
   for (const BaseMass& base : modes.base_masses) {

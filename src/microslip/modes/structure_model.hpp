@@ -10,7 +10,7 @@
 #include "microslip/modes/structure_modes.hpp"
 
 /// @file
-/// From a STRUCTURE.toml to a model.toml: what `microslip modes` does.
+/// From a STRUCTURE.toml to a model.toml, for `microslip modes`.
 
 namespace microslip {
 
@@ -19,7 +19,7 @@ struct StructureModel {
   ModelFile file;        ///< its joint files are named from where the text will lie
   StructureModes modes;  ///< and how they were found
   std::string text;      ///< of the model.toml, with warnings and how it came to be
-  /// Of the modes of a test, lines on where they come from, then one a mode; empty of matrices.
+  /// Origin of the modes of a test: lines on the whole, then one per mode; empty for matrices.
   std::vector<std::string> origin = {};
 };
 

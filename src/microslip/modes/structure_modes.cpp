@@ -21,11 +21,11 @@ namespace {
 using Eigen::Index;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Of a static compliance that a model lacks: more is said.
+/// Missing share of a static compliance above which a warning is given.
 constexpr double kLackAllowed = 0.01;
 /// Hz: no structure with joints vibrates more slowly.
 constexpr double kSlowestMode = 1e-3;
-/// Of the motion of a joint in a rigid body, relative to the largest: less is rounding.
+/// Motion of a joint in a rigid-body mode, relative to the largest: less is rounding.
 constexpr double kHeldByJoint = 1e-6;
 
 void add_springs(const MeshedStructure& structure, AssembledSystem& assembled) {
@@ -60,7 +60,7 @@ std::size_t point_index(const MeshedStructure& structure, const std::string& nam
                    fmt::format("Points there are: {}.", there.empty() ? "none" : there));
 }
 
-/// The loads of the attachments, and whose they are.
+/// The loads of the attachments, with their places.
 Sparse attached_loads(const MeshedStructure& structure, const AssembledSystem& assembled,
                       const ModesOptions& options, std::vector<StaticCompliance>& names) {
   std::vector<Eigen::SparseVector<double>> columns;
@@ -118,7 +118,7 @@ ModalModel model_of(const MeshedStructure& structure, const AssembledSystem& ass
   return {std::move(modes), std::move(points), std::move(bases), attached};
 }
 
-void tell_base_masses(const AssembledSystem& assembled, StructureModes& found) {
+void report_base_masses(const AssembledSystem& assembled, StructureModes& found) {
   for (std::size_t b = 0; b < found.model.bases().size(); ++b) {
     const ModalBase& base = found.model.bases()[b];
     double moved = 0.0;
@@ -128,9 +128,9 @@ void tell_base_masses(const AssembledSystem& assembled, StructureModes& found) {
     if (!assembled.base_mass_missing[b]) continue;
     found.warnings.push_back(
         {"base_mass_missing",
-         fmt::format("What the matrices are held by outside of them is taken to move with base "
-                     "'{}'. The mass that elements share with what is held there is in no matrix: "
-                     "without it the load of the base is too small by that. Hold the nodes by "
+         fmt::format("Supports of the matrices from outside are taken to move with base "
+                     "'{}'. The element mass shared with fixed degrees of freedom is in no matrix: "
+                     "the load of the base is too small by it. Fix the nodes by "
                      "[[support]] instead, and the load is exact.",
                      base.name)});
   }
@@ -157,9 +157,10 @@ void warn_of_rigid_bodies(StructureModes& found) {
   const std::size_t loose = not_held_by_joints(found);
   if (loose == 0) return;
   found.warnings.push_back(
-      {"rigid_bodies", fmt::format("{} mode{} of 0 Hz {} held by nothing{}. Is a support missing?",
-                                   loose, loose == 1 ? "" : "s", loose == 1 ? "is" : "are",
-                                   found.joint_shapes.empty() ? "" : ", no joint either")});
+      {"rigid_bodies",
+       fmt::format("{} mode{} of 0 Hz {} restrained by nothing{}. Is a support missing?", loose,
+                   loose == 1 ? "" : "s", loose == 1 ? "is" : "are",
+                   found.joint_shapes.empty() ? "" : ", no joint either")});
 }
 
 std::string capitalised(YieldingPlace place) {
@@ -174,11 +175,11 @@ void warn_of_lacks(bool attached, StructureModes& found) {
     if (lack <= kLackAllowed) continue;
     found.warnings.push_back(
         {"compliance_lacks",
-         fmt::format("{} '{}' gives way by {:.4g} {} under a constant {}, in the model by {:.3g} "
-                     "% less. {}",
+         fmt::format("{} '{}' has a compliance of {:.4g} {} under a constant {}, in the model "
+                     "{:.3g} % less. {}",
                      capitalised(one.place), one.name, one.exact, unit_of(one),
                      one.place == YieldingPlace::kBase ? "acceleration" : "force", 100.0 * lack,
-                     attached ? "What is missing moves without mass."
+                     attached ? "The missing part moves without mass."
                               : "Take the attachments, or more modes.")});
   }
 }
@@ -189,7 +190,7 @@ void warn_of_slow_modes(StructureModes& found) {
   const double hertz = found.model.modes()[first].angular_frequency / (2.0 * std::numbers::pi);
   if (hertz >= kSlowestMode) return;
   found.warnings.push_back(
-      {"slow_modes", fmt::format("The first mode is at {:.3g} Hz, one swing in {:.3g} s. Are the "
+      {"slow_modes", fmt::format("The first mode is at {:.3g} Hz, a period of {:.3g} s. Are the "
                                  "matrices exchanged, or in other units?",
                                  hertz, 1.0 / hertz)});
 }
@@ -261,7 +262,7 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
   found.compliances = std::move(compliances);
   found.degrees_of_freedom = static_cast<std::size_t>(assembled.system.size());
   found.summary = modes.summary;
-  tell_base_masses(assembled, found);
+  report_base_masses(assembled, found);
   warn_of_rigid_bodies(found);
   warn_of_lacks(options.attachment, found);
   warn_of_slow_modes(found);

@@ -15,27 +15,26 @@
 
 namespace microslip {
 
-/// What modes are made of a structure.
+/// Options of modes_of_structure().
 struct ModesOptions {
   std::optional<std::size_t> count = {};         ///< so many, or
   std::optional<double> highest_frequency = {};  ///< all up to this, Hz; one of both must be given
   JointsInModes joints = JointsInModes::kFree;   ///< while modes are computed
-  /// Shapes beside the modes that hold what is missing in the static displacement under a pair of
-  /// forces at each joint, and under one at each of `attached_points`, or an acceleration of it.
+  /// Whether to add static shapes for the missing static displacement under a pair of forces at
+  /// each joint, and under a force at each of `attached_points`, or an acceleration of it.
   bool attachment = true;
   std::vector<std::string> attached_points = {};  ///< names of points or bases
-  Progress progress = {};  ///< told what is done of some number of solutions; may stop it
+  Progress progress = {};  ///< called with the solutions done of their number; may stop it
 };
 
-/// What gives way.
+/// Kinds of places with a static compliance.
 enum class YieldingPlace : std::uint8_t { kJoint, kPoint, kBase };
 
 /// "joint", "point", "base".
 [[nodiscard]] std::string_view to_string(YieldingPlace place);
 
-/// How much a place gives way under a constant force, m/N, or about an axis under a constant
-/// moment, rad/(N m); without the motion of rigid bodies. Of a base that accelerates, rᵀM K⁻¹ M r,
-/// kg s².
+/// Static compliance of a place under a constant force, m/N, or about an axis under a constant
+/// moment, rad/(N m); without rigid-body motion. Of a base that accelerates, rᵀM K⁻¹ M r, kg s².
 struct StaticCompliance {
   std::string name;                             ///< of the joint, point or base
   bool turns = false;                           ///< about an axis
@@ -56,15 +55,15 @@ struct BaseMass {
 struct StructureModes {
   /// The modes, then the attachments; their loss factors are 0. Points as they were given.
   ModalModel model;
-  /// ψ of each joint, kg^−½; one a mode and attachment.
+  /// ψ of each joint, kg^−½; one per mode and attachment.
   std::vector<std::vector<double>> joint_shapes = {};
   JointsInModes joints = JointsInModes::kFree;  ///< as asked
   std::size_t modes = 0;               ///< those of the structure; the rest are attachments
-  std::size_t rigid_bodies = 0;        ///< so many modes have ω = 0: nothing holds them
+  std::size_t rigid_bodies = 0;        ///< number of modes with ω = 0: unrestrained
   std::vector<double> residuals = {};  ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ| of each mode, 1
   std::vector<StaticCompliance> compliances = {};  ///< of the joints, then of what is attached
-  std::vector<BaseMass> base_masses = {};          ///< one a base
-  std::size_t degrees_of_freedom = 0;  ///< that are left of the matrices by supports and spiders
+  std::vector<BaseMass> base_masses = {};          ///< one per base
+  std::size_t degrees_of_freedom = 0;  ///< degrees of freedom after supports and spiders
   std::vector<Warning> warnings = {};  ///< what the user must know
   Summary summary = {};                ///< of the search for modes
 };

@@ -23,12 +23,12 @@ constexpr MUMPS_INT kSolve = 3;
 constexpr MUMPS_INT kGeneralSymmetric = 2;
 constexpr MUMPS_INT kCommunicatorOfWorld = -987654;
 
-constexpr int kMorePercent = 13;     // ICNTL(14): memory beyond what the analysis asked for
+constexpr int kMorePercent = 13;     // ICNTL(14): memory beyond the estimate of the analysis
 constexpr int kColumnsAtOnce = 26;   // ICNTL(27): right-hand sides that are solved together
 constexpr int kError = 0;            // INFOG(1)
 constexpr int kNegativePivots = 11;  // INFOG(12)
 
-// INFOG(1): the memory foreseen was too little; ask for more. No bad matrix.
+// INFOG(1): the estimated memory was too small; request more. The matrix is not at fault.
 bool lacks_room(MUMPS_INT error) {
   return error == -8 || error == -9 || error == -14 || error == -20;
 }
@@ -40,8 +40,7 @@ InputError failure(MUMPS_INT error, MUMPS_INT detail) {
             "must have an inverse to be factorised"};
   }
   return {"factorisation", fmt::format("error {} ({}) of MUMPS", error, detail),
-          "must find the memory that it needs",
-          "Take a coarser mesh, or a machine with more memory."};
+          "must have enough memory", "Take a coarser mesh, or a machine with more memory."};
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace microslip {
 /// rows (multifrontal, MUMPS). Its work is in memory; one object is used by one thread at a time.
 class SymmetricFactor {
  public:
-  /// @param lower  A on and below the diagonal; what is above is not looked at.
+  /// @param lower  A on and below the diagonal; the part above is ignored.
   /// @throws InputError  where A is singular by its pivots, or the memory too small.
   explicit SymmetricFactor(const Eigen::SparseMatrix<double>& lower);
   ~SymmetricFactor();

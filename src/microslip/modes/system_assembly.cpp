@@ -23,7 +23,7 @@ using Eigen::Index;
 using Sparse = Eigen::SparseMatrix<double>;
 using Triplet = Eigen::Triplet<double, Sparse::StorageIndex>;
 
-/// Of a rigid body whose nodes lie on a line or a point: what of its motions is none.
+/// Tolerance of a motion that is none, for a rigid body whose nodes lie on a line or a point.
 constexpr double kNoMotion = 1e-10;
 /// A negative eigenvalue of M within this share of its diagonal is rounding of its entries.
 constexpr double kMassRounding = 1e-10;
@@ -71,7 +71,7 @@ void check_sizes(const StructuralMatrices& matrices) {
                    fmt::format("must be {}, those of the stiffness matrix", size));
 }
 
-/// What becomes of each row of the matrices.
+/// The transformation of the rows of the matrices.
 class Transformation {
  public:
   Transformation(const MeshRows& rows, const MeshedStructure& structure)
@@ -111,9 +111,9 @@ class Transformation {
       }
     }
     if (!holds) {
-      throw InputError(support.name, "a support that holds nothing",
-                       "must hold a degree of freedom of the matrices",
-                       "Look at its directions: the nodes may have others.");
+      throw InputError(support.name, "a support that fixes nothing",
+                       "must fix a degree of freedom of the matrices",
+                       "Check its directions: the nodes may have others.");
     }
   }
 
@@ -139,7 +139,7 @@ class Transformation {
 
   void claim(const MeshPlace& place, std::size_t row) {
     if (held_[row]) {
-      throw InputError(place.name, rows_.name(row), "must not be held in a rigid spider",
+      throw InputError(place.name, rows_.name(row), "must not be fixed in a rigid spider",
                        "Leave the node out of the support or of the set.");
     }
     if (bound_[row]) {
@@ -149,7 +149,7 @@ class Transformation {
     bound_[row] = true;
   }
 
-  /// Of a row, by the translation of the centre and the rotation times the size of the body.
+  /// Motion of a row by the translation of the centre and the rotation times the size of the body.
   static Eigen::Matrix<double, 1, 6> rigid_motion(NodalDirection direction,
                                                   const Eigen::Vector3d& arm, double size) {
     Eigen::Matrix<double, 1, 6> motion = Eigen::Matrix<double, 1, 6>::Zero();
@@ -186,7 +186,7 @@ class Transformation {
       ++columns_;
     }
     if (columns_ > 0) return;
-    throw InputError("degrees of freedom", 0.0, "must be left where supports hold what they do");
+    throw InputError("degrees of freedom", 0.0, "must be left free by the supports");
   }
 
   const MeshRows& rows_;
@@ -223,8 +223,8 @@ void require_motion(const Sparse& motions, Index column, const std::string& name
   }
   if (norm > kNoMotion) return;
   throw InputError(name, InputState{"without motion"},
-                   "must move: supports or a rigid spider hold it whole",
-                   "Look at its places, its direction and the supports.");
+                   "must move: supports or a rigid spider fix it entirely",
+                   "Check its places, its direction and the supports.");
 }
 
 void check_rows(const Sparse& stiffness, const Sparse& mass, const MeshRows& rows) {
@@ -241,12 +241,12 @@ void check_rows(const Sparse& stiffness, const Sparse& mass, const MeshRows& row
     if (stiff(i) == 0.0 && heavy(i) == 0.0) {
       throw InputError(name, InputState{"without stiffness and mass"},
                        "must have one of them on the diagonal of the matrices",
-                       "Hold it by a support, or leave it out of the matrices.");
+                       "Fix it by a support, or leave it out of the matrices.");
     }
   }
 }
 
-/// By the pivots of M where it has a diagonal; elsewhere it must be empty.
+/// Checks the pivots of M where it has a diagonal; elsewhere it must be empty.
 void check_mass(const Sparse& mass) {
   const Eigen::VectorXd diagonal = mass.diagonal();
   std::vector<int> with_mass(static_cast<std::size_t>(mass.rows()), -1);
@@ -278,12 +278,12 @@ void check_mass(const Sparse& mass) {
   if (negative == 0) return;
   throw InputError(
       "mass matrix",
-      beside ? std::string("entries beside a diagonal of 0")
+      beside ? std::string("entries off a diagonal of 0")
              : fmt::format("{} negative eigenvalue{}", negative, negative == 1 ? "" : "s"),
       "must have no negative eigenvalue");
 }
 
-/// r of a base: what each row moves by.
+/// r of a base: the motion of each row.
 Eigen::VectorXd rigid_motion(const MeshRows& rows, const MeshedStructure& structure,
                              const MeshBase& base) {
   const std::string name = fmt::format("base '{}'", base.name);
@@ -292,7 +292,7 @@ Eigen::VectorXd rigid_motion(const MeshRows& rows, const MeshedStructure& struct
   if (!base.rows.empty()) return motion;
   if (structure.matrices.degrees.empty()) {
     throw InputError(name, InputState{"a direction"},
-                     "must be told by rows: the matrices do not say whose their rows are",
+                     "must be given by rows: the degrees of freedom of the rows are not given",
                      "Give rows = [...], or degrees_of_freedom.");
   }
   if (base.direction.turns) {
@@ -305,7 +305,7 @@ Eigen::VectorXd rigid_motion(const MeshRows& rows, const MeshedStructure& struct
   return motion;
 }
 
-/// Whether rows that something outside of the matrices holds share mass with others.
+/// Whether rows that are restrained outside of the matrices share mass with others.
 bool lacks_mass(const Sparse& stiffness, const Sparse& mass, const Eigen::VectorXd& motion) {
   constexpr double kHolds = 1e-6;  // of the stiffness of a row
   const Eigen::VectorXd held = stiffness * motion;
@@ -333,7 +333,7 @@ void add_bases(const MeshRows& rows, const MeshedStructure& structure, const Spa
     assembled.base_mass_missing.push_back(lacks_mass(stiffness, mass, motion));
     if (assembled.base_masses(b) > 0.0) continue;
     throw InputError(fmt::format("base '{}'", base.name), InputState{"without mass"},
-                     "must move mass", "Look at its direction.");
+                     "must move mass", "Check its direction.");
   }
 }
 
@@ -381,7 +381,7 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
     const double load = assembled.base_loads.col(static_cast<Index>(b)).cwiseAbs().maxCoeff();
     if (load > kNoMotion * assembled.base_masses(static_cast<Index>(b))) continue;
     throw InputError(fmt::format("base '{}'", structure.bases[b].name),
-                     InputState{"moving what is held alone"}, "must move mass that is free",
+                     InputState{"moving only fixed rows"}, "must move free mass",
                      "Name all rows that move with it, or its direction.");
   }
   for (std::size_t i = 0; i < joints.size(); ++i) {

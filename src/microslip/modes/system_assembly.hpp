@@ -8,24 +8,24 @@
 
 namespace microslip {
 
-/// What modes are sought of, and what moves in it. With x = T z, T of the degrees of freedom that
-/// are not held and of the rigid bodies that spiders make of nodes, K = Tᵀ K T and M = Tᵀ M T.
+/// The system whose modes are sought. With x = T z, T of the free degrees of freedom and of the
+/// rigid bodies that spiders make of nodes, K = Tᵀ K T and M = Tᵀ M T.
 struct AssembledSystem {
   VibratingSystem system;              ///< its springs are none yet
   Eigen::SparseMatrix<double> points;  ///< the motion of each point in z, a column each
-  Eigen::SparseMatrix<double> joints;  ///< likewise of each joint, `to` less `from`
+  Eigen::SparseMatrix<double> joints;  ///< motion of each joint, `to` less `from`
   Eigen::MatrixXd base_loads;          ///< Tᵀ M r of each base, a column each, kg
   Eigen::VectorXd base_masses;         ///< rᵀ M r of each, kg
   Eigen::MatrixXd base_motions;        ///< r at each point, points × bases
-  /// Of each base: what is held outside of the matrices, |Tᵀ K r| where it should be 0, lies beside
-  /// mass that other degrees of freedom share, whose part there is not in the matrices.
+  /// For each base: whether rows restrained outside of the matrices, |Tᵀ K r| where it should be 0,
+  /// share mass with other degrees of freedom, whose part there is not in the matrices.
   std::vector<bool> base_mass_missing;
 };
 
 /// @throws InputError  naming what is wrong: matrices that are empty, of different sizes, with
 ///                     entries outside or not finite; a mass matrix with a negative eigenvalue; a
 ///                     degree of freedom without stiffness and mass; a node, row or position that
-///                     is missing; nodes in two rigid bodies, or in one and held; names that are
+///                     is missing; nodes in two rigid bodies, or in one and fixed; names that are
 ///                     empty or the same; a point or joint that does not move.
 [[nodiscard]] AssembledSystem assemble_system(const MeshedStructure& structure);
 

@@ -29,16 +29,16 @@ void warn_of_complexity(const std::string& mode, double collinearity, double pha
     warnings.push_back(
         {"mode_complex",
          fmt::format("the shape of {} is complex: its modal phase collinearity is {:.3g} of 1. The "
-                     "model takes the real mode nearest to it. Damping at few places, a mode close "
-                     "by or noise do that.",
+                     "model takes the real mode nearest to it. Damping at few places, a close mode "
+                     "or noise cause that.",
                      mode, collinearity)});
   }
   const double degrees = phase * 180.0 / std::numbers::pi;
   if (std::abs(degrees) > kLargestPhase) {
     warnings.push_back(
-        {"mode_phase", fmt::format("{} moves {:.3g} degrees out of phase with its force beside "
-                                   "what damping does: its scale is in doubt. A delay between the "
-                                   "channels, or a mode close by?",
+        {"mode_phase", fmt::format("{} moves {:.3g} degrees out of phase with its force, damping "
+                                   "apart: its scale is in doubt. A delay between the "
+                                   "channels, or a close mode?",
                                    mode, degrees)});
   }
 }

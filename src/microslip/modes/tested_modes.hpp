@@ -13,7 +13,7 @@
 #include "microslip/structure/structural_matrices.hpp"
 
 /// @file
-/// Modes of a test, as it tells them: at what was measured. Internal to modes.
+/// Modes of a test at its measured degrees of freedom. Internal to modes.
 
 namespace microslip {
 
@@ -23,8 +23,8 @@ struct TestedModes {
   std::vector<Mode> modes;                ///< rising in ω; loss factors as measured
   Eigen::MatrixXd shapes;                 ///< mass-normalised, kg^−½: freedoms × modes
   DampingLaw law = DampingLaw::kViscous;  ///< of the modes
-  std::vector<std::string> origin;        ///< lines on where they come from, for a reader
-  std::vector<std::string> lines;         ///< one a mode: how it was measured
+  std::vector<std::string> origin;        ///< lines on their origin, for the user
+  std::vector<std::string> lines;         ///< one per mode: how it was measured
   std::vector<Warning> warnings = {};     ///< what the user must know
   Summary summary = {};                   ///< of the fit
 };
@@ -36,10 +36,10 @@ struct TestedModes {
 /// the modal phase collinearity [Pappa et al.]. 1 for less than two values.
 [[nodiscard]] double phase_collinearity(const Eigen::VectorXcd& shape);
 
-/// What is wanted of the modes of a test.
+/// Options of the modes of a test.
 struct TestedModesOptions {
   std::optional<std::size_t> count = {};  ///< the lowest so many; of responses so many are searched
-  bool damping_told = false;              ///< by the user: that of the test need not be there
+  bool damping_given = false;             ///< by the user: that of the test may be missing
 };
 
 /// Modes of datasets 55 and 2414: φ = ψ/√m by the modal mass, of complex modes the real part of
@@ -50,12 +50,12 @@ struct TestedModesOptions {
 
 /// Modes of frequency responses by fit_responses(): φ_d = √R_d at the drive point, φ_j = R_j/φ_d.
 /// Where a response to the force at the drive point is missing, that of the drive point to a force
-/// there stands for it: both are the same.
+/// there is used, which is equal.
 /// @throws InputError  naming the drive point or the response, and as fit_responses().
 [[nodiscard]] TestedModes modes_of_responses(const TestedStructure& test,
                                              const TestedModesOptions& options);
 
-/// Beyond what is real: said of any mode. `phase` of its residue, rad; `code` of the warning.
+/// Warns of a mode that is not real. `phase` of its residue, rad; `code` of the warning.
 void warn_of_complexity(const std::string& mode, double collinearity, double phase,
                         std::vector<Warning>& warnings);
 

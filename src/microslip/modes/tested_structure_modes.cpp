@@ -16,7 +16,8 @@
 namespace microslip {
 namespace {
 
-/// Of k Σψ²/ω² with the joint stuck, which a structure that the joint alone holds has at 1.
+/// Rounding of k Σψ²/ω² with the joint stuck, which is 1 for a structure restrained only by the
+/// joint.
 constexpr double kRoundingOfShare = 1e-6;
 
 /// Leaves out what lies above; the lowest are kept.
@@ -43,7 +44,7 @@ std::vector<double> motion_of(const TestedModes& tested, const Motion& motion,
   }
   if (shape.norm() > 0.0) return {shape.begin(), shape.end()};
   throw InputError(place, "0 in all modes of the test", "must move",
-                   "Was this direction measured? Look at its places and its direction.");
+                   "Was this direction measured? Check its places and its direction.");
 }
 
 /// The measured freedoms in place of the rows of matrices.
@@ -58,34 +59,34 @@ void check_stuck(const MeshJoint& joint, double compliance) {
   if (joint.stiffness * compliance <= 1.0 + kRoundingOfShare) return;
   throw InputError(
       fmt::format("stiffness of joint '{}'", joint.name), joint.stiffness,
-      fmt::format("must be below {:.4g}: with the joint stuck the modes give way {:.4g} m/N across "
-                  "it, more than its own spring would alone",
+      fmt::format("must be below {:.4g}: with the joint stuck the modes have {:.4g} m/N across "
+                  "it, more than its own spring alone",
                   1.0 / compliance, compliance),
       "Is k too large, the scale of the shapes off, or was the joint free?");
 }
 
-void tell_joint(const MeshJoint& joint, JointsInModes state, double compliance,
-                std::vector<Warning>& warnings) {
+void warn_of_missing_modes(const MeshJoint& joint, JointsInModes state, double compliance,
+                           std::vector<Warning>& warnings) {
   const bool stuck = state == JointsInModes::kStuck;
   if (stuck) check_stuck(joint, compliance);
   warnings.push_back(
       {"no_attachment",
        fmt::format(
-           "a test has no matrices, so that joint '{}' has the modes of the test alone: what all "
-           "others give way at it is missing. They give way {:.4g} m/N across it with the joint "
+           "a test has no matrices, so that joint '{}' has only the modes of the test: the "
+           "compliance of all others is missing. They have {:.4g} m/N across it with the joint "
            "{}, "
-           "its spring 1/k = {:.4g} m/N. Its motion, and its loss, come out too small; {}. Take "
+           "its spring 1/k = {:.4g} m/N. Its motion and its loss are predicted too small; {}. Take "
            "more modes, or matrices.",
            joint.name, compliance, stuck ? "stuck" : "free", 1.0 / joint.stiffness,
            stuck ? "at small amplitudes the frequencies are those of the test"
-                 : "frequencies with it come out too high")});
+                 : "frequencies with it are predicted too high")});
 }
 
 }  // namespace
 
 TestedStructureModes modes_of_test(const StructureFile& file) {
   const TestedStructure& test = *file.test;
-  const TestedModesOptions options{.count = file.count, .damping_told = !file.loss_factor.empty()};
+  const TestedModesOptions options{.count = file.count, .damping_given = !file.loss_factor.empty()};
   TestedModes tested =
       test.shapes.empty() ? modes_of_responses(test, options) : modes_of_shapes(test, options);
   if (file.highest_frequency) keep_up_to(*file.highest_frequency, tested);
@@ -109,7 +110,7 @@ TestedStructureModes modes_of_test(const StructureFile& file) {
   for (const MeshJoint& joint : file.structure.joints) {
     modes.joint_shapes.push_back(motion_of(tested, joint_motion(rows, joint), joint.to.name));
     const double compliance = static_compliance(tested.modes, modes.joint_shapes.back());
-    tell_joint(joint, file.joints, compliance, modes.warnings);
+    warn_of_missing_modes(joint, file.joints, compliance, modes.warnings);
   }
   modes.summary = std::move(tested.summary);
   if (!modes.summary.converged()) {

@@ -13,12 +13,12 @@
 
 namespace microslip {
 
-/// Its modes at points and joints, and what a test tells beside.
+/// The modes of a test at points and joints, with its further data.
 struct TestedStructureModes {
   StructureModes modes;             ///< without attachments; loss factors as measured
   DampingLaw law;                   ///< of the modes
-  std::vector<std::string> origin;  ///< lines: where the modes come from
-  std::vector<std::string> lines;   ///< one a mode: how it was measured
+  std::vector<std::string> origin;  ///< lines on the origin of the modes
+  std::vector<std::string> lines;   ///< one per mode: how it was measured
 };
 
 /// @param file  with a test.

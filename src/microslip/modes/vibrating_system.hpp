@@ -9,9 +9,9 @@
 
 namespace microslip {
 
-/// M ẍ + (K + B diag(k) Bᵀ) x = f, in the degrees of freedom that are left when supports hold and
-/// rigid spiders bind what they do. Each column of B is a motion that a spring resists: kept apart
-/// from K, as the motion of many nodes would fill it.
+/// M ẍ + (K + B diag(k) Bᵀ) x = f, in the degrees of freedom that remain after supports and rigid
+/// spiders. Each column of B is a motion with a spring: kept separate from K, as the motion of many
+/// nodes would fill it.
 struct VibratingSystem {
   Eigen::SparseMatrix<double> stiffness;       ///< K, both triangles; n × n
   Eigen::SparseMatrix<double> mass;            ///< M, both triangles; n × n; ≥ 0

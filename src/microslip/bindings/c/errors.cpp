@@ -14,9 +14,9 @@ namespace {
 
 // Beyond the address space of any machine.
 constexpr std::size_t kMostValues = std::size_t{1} << 44;
-constexpr std::size_t kLargestStruct = 4096;  // ten times the largest: more was not filled
+constexpr std::size_t kLargestStruct = 4096;  // ten times the largest: more was not initialised
 
-/// Where there is no memory for a text a constant stands for it.
+/// Holds a constant text where there is no memory for another.
 struct LastError {
   std::string text;
   const char* constant = "";
@@ -100,7 +100,7 @@ double positive(double value, std::string_view name) {
 std::span<double> room(std::size_t count, double* pointer, std::string_view name) {
   if (count > kMostValues) {
     throw InputError(fmt::format("count of {}", name), fmt::format("{}", count),
-                     "must be a number of values that a memory holds");
+                     "must be a number of values that fit in memory");
   }
   if (count > 0) require_pointer(pointer, name);
   return {pointer, count};
@@ -141,7 +141,7 @@ void check_struct_size(std::size_t size, std::size_t least, std::size_t alignmen
   if (size >= least && size <= kLargestStruct && size % alignment == 0) return;
   throw InputError(fmt::format("{}->struct_size", name), fmt::format("{}", size),
                    "must be the size of the struct",
-                   "Set it to sizeof; options are filled by their function of defaults.");
+                   "Set it to sizeof; fill options by their function of defaults.");
 }
 
 void check_unknown_members(const void* given, std::size_t size, std::size_t known,

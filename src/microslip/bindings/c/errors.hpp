@@ -15,11 +15,11 @@
 #include "microslip/base/progress.hpp"
 
 /// @file
-/// The border of the C interface: what crosses it is checked, and no exception does.
+/// The boundary of the C interface: checks what crosses it, and stops exceptions.
 
 namespace microslip::c {
 
-/// What the exception that is being handled is to the caller; its text is kept for the thread.
+/// Status of the exception that is being handled; keeps its text for the thread.
 [[nodiscard]] microslip_status status_of_exception() noexcept;
 
 /// Keeps the text for the thread. @return MICROSLIP_NOT_CONVERGED.
@@ -35,7 +35,7 @@ microslip_status guarded(const Body& body) noexcept {
   }
 }
 
-/// The same for a body that has no status of its own.
+/// Runs a body that returns no status.
 template <typename Body>
 microslip_status done(const Body& body) noexcept {
   return guarded([&] {
@@ -47,7 +47,7 @@ microslip_status done(const Body& body) noexcept {
 /// @throws InputError  where the pointer is NULL.
 void require_pointer(const void* pointer, std::string_view name);
 
-/// What the pointer leads to. @throws InputError  where it is NULL.
+/// Returns the object of the pointer. @throws InputError  where it is NULL.
 template <typename T>
 T& at(T* pointer, std::string_view name) {
   require_pointer(pointer, name);
@@ -63,11 +63,11 @@ double not_negative(double value, std::string_view name);
 /// @throws InputError  unless it is finite and above 0.
 double positive(double value, std::string_view name);
 
-/// An array of the caller. @throws InputError  for more values than any memory holds; where the
+/// An array of the caller. @throws InputError  for more values than fit in any memory; where the
 /// pointer is NULL and there are values; naming the first value that is not finite.
 std::span<const double> values(std::size_t count, const double* pointer, std::string_view name);
 
-/// An array for results. @throws InputError  likewise, whatever is in it.
+/// An array for results. @throws InputError  as for input(), whatever its values.
 std::span<double> room(std::size_t count, double* pointer, std::string_view name);
 
 /// @throws InputError  unless `index` is below `count`.
@@ -77,7 +77,7 @@ std::size_t index_below(std::size_t index, std::size_t count, std::string_view n
 void require_count(std::size_t count, std::size_t wanted, std::string_view name,
                    std::string_view of);
 
-/// Of an enumeration that has another value.
+/// The error of an enumeration that has an unknown value.
 [[noreturn]] void throw_unknown(int value, std::string_view name);
 
 /// @throws InputError  unless a struct of the caller has this size at least, 4 KiB at most, and one
@@ -103,7 +103,7 @@ T read_struct(const T* given, const T& defaults, std::string_view name,
   return all;
 }
 
-/// Fills a struct of the caller, who may know fewer members or more; those are 0.
+/// Fills a struct of the caller, who may know fewer members or more, which are set to 0.
 template <typename T>
 void write_struct(const T& from, T* to, std::size_t size, std::string_view name,
                   std::size_t least = sizeof(T)) {
@@ -114,7 +114,7 @@ void write_struct(const T& from, T* to, std::size_t size, std::string_view name,
   to->struct_size = size;
 }
 
-/// The listener of the caller; an empty function where nobody listens.
+/// The progress callback of the caller; an empty function where there is none.
 [[nodiscard]] Progress progress_of(microslip_progress progress, void* user);
 
 }  // namespace microslip::c

@@ -16,7 +16,7 @@ namespace c = microslip::c;
 namespace microslip::c {
 namespace {
 
-constexpr double kRadians = 2.0 * std::numbers::pi;  // of a turn
+constexpr double kRadians = 2.0 * std::numbers::pi;  // per cycle
 
 microslip_frf_options frf_defaults() {
   const HarmonicBalanceOptions of;
@@ -176,7 +176,7 @@ microslip_status microslip_frf(const microslip_structure* structure, const char*
     const microslip::Target target{c::quantity_of(kept), c::positive(value, "value")};
     c::positive(from, "from");
     c::positive(to, "to");
-    if (from == to) throw microslip::InputError("to", to, "must be another than `from`");
+    if (from == to) throw microslip::InputError("to", to, "must differ from `from`");
     *curve = c::over_frequency(*structure, point, target, from, to,
                                c::read_struct(options, c::frf_defaults(), "options"));
     return c::status_of((*curve)->ending.summary);

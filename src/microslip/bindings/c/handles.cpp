@@ -7,8 +7,8 @@
 
 namespace microslip::c {
 
-Ending::Ending(const Summary& given, std::vector<Warning> told, std::string text)
-    : summary(given), warnings(std::move(told)), lines(std::move(text)) {}
+Ending::Ending(const Summary& given, std::vector<Warning> issued, std::string text)
+    : summary(given), warnings(std::move(issued)), lines(std::move(text)) {}
 
 void write_outcome(const Ending& ending, microslip_outcome* outcome) {
   require_pointer(outcome, "outcome");

@@ -19,15 +19,15 @@
 #include "microslip/workflow/identify/levels_identification.hpp"
 
 /// @file
-/// What the handles of the C interface hold. Each holds what it needs itself or shares it, so that
-/// the order in which they are destroyed does not matter.
+/// The handles of the C interface. Each owns or shares what it needs, so that the order in which
+/// they are destroyed does not matter.
 
-/// Shared by memories and structures; what it says of its origin goes into its file.
+/// A joint, shared by memories and structures; its provenance goes into its file.
 struct microslip_joint {
   explicit microslip_joint(std::shared_ptr<const microslip::JointFile> given)
       : file(std::move(given)) {}
   std::shared_ptr<const microslip::JointFile> file;
-  mutable std::once_flag written;  ///< the text is made when it is asked for
+  mutable std::once_flag written;  ///< the text is made when it is requested
   mutable std::string text;
 };
 
@@ -36,21 +36,21 @@ struct microslip_memory {
   microslip::Memory memory;
 };
 
-/// Of a file `table` has where they come from; others have their values alone.
+/// Levels: of a file with their origin in `table`, else with their values alone.
 struct microslip_levels {
   microslip::LevelTable table;
   bool of_file = false;
-  bool changed = false;  ///< since they were read: the file is not what they are identified from
+  bool changed = false;  ///< since they were read: the file is then not the input
 };
 
 namespace microslip::c {
 
-/// How a method ended, as texts that live with the result.
+/// Outcome of a method, as texts that live with the result.
 struct Ending {
-  Ending(const Summary& given, std::vector<Warning> told, std::string text);
+  Ending(const Summary& given, std::vector<Warning> issued, std::string text);
   Summary summary;
   std::vector<Warning> warnings;
-  std::string lines;  ///< of a summary
+  std::string lines;  ///< of the summary
 };
 
 /// @throws InputError  for a struct of another size.
@@ -59,7 +59,7 @@ void write_outcome(const Ending& ending, microslip_outcome* outcome);
 /// @throws InputError  where there is no such warning.
 void write_warning(const Ending& ending, std::size_t index, const char** code, const char** text);
 
-/// Hands out an array that belongs to a handle; `count` may be NULL.
+/// Returns an array that belongs to a handle; `count` may be NULL.
 void hand_out(const std::vector<double>& from, const double** values, std::size_t* count);
 
 /// MICROSLIP_OK, or MICROSLIP_NOT_CONVERGED with the reason as last error.

@@ -87,7 +87,7 @@ std::optional<BandOptions> bands_of(const microslip_identify_options& options) {
   return bands;
 }
 
-/// What the library calls otherwise is named as a member of the options.
+/// Translates names of the library to members of the options.
 template <typename Check>
 void check_member(const Check& check, std::string_view instead = {}) {
   try {
@@ -98,7 +98,7 @@ void check_member(const Check& check, std::string_view instead = {}) {
   }
 }
 
-/// The program takes as many.
+/// The limit of the program.
 void check_draws(std::size_t bands) {
   constexpr std::size_t kMost = 1'000'000;  // more memory than use
   if (bands <= kMost) return;
@@ -106,7 +106,7 @@ void check_draws(std::size_t bands) {
                    "1000 give smooth bands.");
 }
 
-/// Before the levels are looked at, whose file would be blamed.
+/// Checked before the levels, whose file would be blamed.
 void check_options(const LevelsIdentification& all) {
   check_member([&] { all.texts.common_errors.check(); });
   if (!all.options.bands) return;
@@ -116,7 +116,7 @@ void check_options(const LevelsIdentification& all) {
   check_member([&] { bands.check(); });
 }
 
-/// As the program takes it: beyond, products leave the range of doubles.
+/// The range of the program: beyond it, products leave the range of doubles.
 double stiffness_of(const microslip_identify_options& options) {
   const double k = positive(options.stiffness, "options->stiffness");
   if (k >= kSmallestStiffness && k <= kLargestStiffness) return k;
@@ -144,7 +144,7 @@ LevelsIdentification levels_identification(const microslip_identify_options& opt
   return all;
 }
 
-/// What is missing is an option too many, whose name levels and their file do not know.
+/// Checks that levels have the column that an option needs, in a message that names the option.
 void check_linear_loss(const Levels& levels, double loss_factor_std) {
   if (loss_factor_std == 0.0 || !levels.linear_dissipation.empty()) return;
   throw InputError("options->loss_factor_std", loss_factor_std,
@@ -153,7 +153,7 @@ void check_linear_loss(const Levels& levels, double loss_factor_std) {
                    "MICROSLIP_LEVEL_LINEAR_DISSIPATION.");
 }
 
-/// It goes into joint.json, which is UTF-8, and from there into lines of others.
+/// The command goes into joint.json, which is UTF-8, and from there into lines of other files.
 std::string command_of(const microslip_identify_options& options) {
   std::string command(text_or(options.command, kDefaultCommand));
   if (printable(command) == command) return command;

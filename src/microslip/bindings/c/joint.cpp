@@ -45,7 +45,7 @@ DensityPart density_part(const microslip_part& part, std::size_t index, double s
   throw_unknown(part.kind, fmt::format("parts[{}].kind", index));
 }
 
-/// @throws InputError  unless a part says the size by which all lie apart.
+/// @throws InputError  unless a part has the size that is the stride of all parts.
 void check_part_size(const microslip_part& part, std::size_t index, std::size_t size) {
   if (part.struct_size == size) return;
   throw InputError(fmt::format("parts[{}]->struct_size", index),
@@ -54,7 +54,7 @@ void check_part_size(const microslip_part& part, std::size_t index, std::size_t 
                    "Fill each part by microslip_part_defaults().");
 }
 
-/// Parts lie as far apart as the struct is large to the caller.
+/// The stride of the parts is the size of the caller's struct.
 std::vector<DensityPart> density_parts(double stiffness, const microslip_part* parts,
                                        std::size_t count) {
   std::vector<DensityPart> all;
@@ -70,7 +70,7 @@ std::vector<DensityPart> density_parts(double stiffness, const microslip_part* p
   return all;
 }
 
-/// The density calls its parts by its own name.
+/// Translates the names of the parts in messages of the density.
 SlipDensity density_of(std::vector<DensityPart> parts) {
   try {
     return SlipDensity(std::move(parts));

@@ -59,7 +59,7 @@ MarchOptions march_options(const microslip_march_options& options,
   return all;
 }
 
-/// Before any load is looked at: the arrays are as long as `load_count` says.
+/// Checked before any load: the arrays have `load_count` entries.
 void check_loads(const JointedStructure& structure, std::size_t load_count,
                  const char* const* places, const double* const* loads) {
   if (load_count > 0) require_pointer(loads, "loads");

@@ -776,7 +776,7 @@ module microslip
 
 contains
 
-  !> The characters that a pointer to text of microslip leads to.
+  !> The characters of a C string of microslip.
   function microslip_text(text) result(characters)
     type(c_ptr), intent(in) :: text
     character(len=:), allocatable :: characters

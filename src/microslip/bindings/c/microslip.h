@@ -3,24 +3,24 @@
 #define MICROSLIP_H
 
 /** @file
- * The C interface of microslip: joints with friction, what they remember, their identification from
- * levels of vibration, and structures with them over frequency and time. What is computed is what the
- * C++ library computes, to the last bit.
+ * The C interface of microslip: joints with friction, their memory, their identification from levels
+ * of vibration, and structures with joints over frequency and time. Results are those of the C++
+ * library, to the last bit.
  *
  * Rules that hold for all functions:
  *
  *   - Values are SI: m, N, s, J, kg, Hz. Indices begin at 0.
- *   - A function returns MICROSLIP_OK, or what went wrong; then microslip_last_error() tells it in a
- *     sentence that names the argument. On an error no output is written, with one exception:
- *     MICROSLIP_NOT_CONVERGED is said of a result that is there, and may be partial.
+ *   - A function returns MICROSLIP_OK or an error code; then microslip_last_error() describes the
+ *     error in a sentence that names the argument. On an error no output is written, with one
+ *     exception: MICROSLIP_NOT_CONVERGED comes with a result, which may be partial.
  *   - A pointer may be NULL where its comment says so, and else must not be; numbers must be finite
- *     unless a comment says otherwise. What breaks a rule is MICROSLIP_INPUT, never a crash.
- *   - A handle is destroyed by the function of its kind, which takes NULL too. It owns what it needs: a
- *     memory goes on when its joint is destroyed.
- *   - Text and arrays that a function points to belong to the handle and live as long as that. Text is
- *     UTF-8 and ends in 0.
- *   - Different handles may be used by different threads at once. Joints, levels, structures and
- *     results do not change and may be shared; a memory or a model that is being built may not.
+ *     unless a comment says otherwise. A broken rule gives MICROSLIP_INPUT, never a crash.
+ *   - A handle is destroyed by the function of its kind, which also accepts NULL. It owns what it
+ *     needs: a memory stays valid when its joint is destroyed.
+ *   - Text and arrays that a function points to belong to the handle and live as long as it does. Text
+ *     is UTF-8 and ends in 0.
+ *   - Different threads may use different handles at once. Joints, levels, structures and results do
+ *     not change and may be shared; a memory or a model that is being built may not.
  *   - Options carry their size, so that later versions add members at the end: fill them with the
  *     function of defaults of their kind, then change members. NULL in place of options: the defaults.
  *   - Complex numbers are factors of e^{iωt}. */
@@ -37,7 +37,7 @@
 #define MICROSLIP_API
 #endif
 
-/** Any int is a value of an enumeration in C++, too: one that it has not is told, not undefined. */
+/** Gives enumerations the type int in C++ too: an unknown value is then an error, not undefined. */
 #ifdef __cplusplus
 #define MICROSLIP_INT : int
 extern "C" {
@@ -51,7 +51,7 @@ extern "C" {
 typedef enum microslip_status MICROSLIP_INT {
   MICROSLIP_OK = 0,            /**< done */
   MICROSLIP_INPUT = 1,         /**< an argument breaks a rule */
-  MICROSLIP_FORMAT = 2,        /**< a file does not have the form it must have */
+  MICROSLIP_FORMAT = 2,        /**< a file does not have the required format */
   MICROSLIP_FILE = 3,          /**< a file cannot be opened, read or written */
   MICROSLIP_NOT_CONVERGED = 4, /**< there is a result, but its method did not converge */
   MICROSLIP_CANCELLED = 5,     /**< the listener to the progress asked to stop */
@@ -59,51 +59,51 @@ typedef enum microslip_status MICROSLIP_INT {
   MICROSLIP_INTERNAL = 7       /**< an error of microslip itself */
 } microslip_status;
 
-/** What went wrong in the last call of this thread that did not end with MICROSLIP_OK, one line:
+/** The error message of the last call of this thread that did not end with MICROSLIP_OK, one line:
  * "argument = value; rule. remedy". Never NULL; valid until the next such call of the thread. */
 MICROSLIP_API const char *microslip_last_error(void);
 
 /** The version of the library, "major.minor.patch". MICROSLIP_VERSION is that of the header. */
 MICROSLIP_API const char *microslip_version(void);
 
-/** Told now and then by a long computation that `done` of `total` pieces are done. It returns other
- * than 0 to go on; with 0 the computation ends with MICROSLIP_CANCELLED and leaves nothing. It may be
- * called from any thread, but never by two at once. */
+/** Called now and then by a long computation of which `done` of `total` pieces are done. It returns
+ * other than 0 to go on; with 0 the computation ends with MICROSLIP_CANCELLED and without a result. It
+ * may be called from any thread, but never by two at once. */
 typedef int (*microslip_progress)(size_t done, size_t total, void *user);
 
 /** How a method ended. */
 typedef struct microslip_outcome {
   size_t struct_size;   /**< set by the caller to sizeof(microslip_outcome) */
-  int converged;        /**< 1 where its stopping rule holds and no check of the result failed */
+  int converged;        /**< 1 where its stopping criterion was met and no check failed */
   int usable;           /**< 1 where there is a result to use, with `reason` in mind */
-  int iterations;       /**< that it took */
-  double residual;      /**< what its stopping rule measures, 1 */
+  int iterations;       /**< number of iterations */
+  double residual;      /**< measure of the stopping criterion, 1 */
   const char *method;   /**< its name */
   const char *reason;   /**< why it stopped */
-  const char *summary;  /**< some lines for a person */
-  size_t warning_count; /**< what its user must know of, see the functions …_warning */
+  const char *summary;  /**< some lines for the user */
+  size_t warning_count; /**< number of warnings, see the functions …_warning */
 } microslip_outcome;
 
 /* ---- Joints ------------------------------------------------------------------------------------- */
 
-/** A joint F(x) of stiffness k and density φ of slip forces; and, where it was read or identified, how
- * it came to be. Immutable. */
+/** A joint F(x) of stiffness k and density φ of slip forces, with its provenance where it was read or
+ * identified. Immutable. */
 typedef struct microslip_joint microslip_joint;
 
-/** What a part of a density is. */
+/** Kinds of parts of a density. */
 typedef enum microslip_part_kind MICROSLIP_INT {
   MICROSLIP_PART_UNIFORM = 0,          /**< φ = weight/(to − from) on [from, to] */
   MICROSLIP_PART_POWER_LAW = 1,        /**< φ = coefficient·f*^exponent on [from, to] */
   MICROSLIP_PART_PIECEWISE_LINEAR = 2, /**< φ = value[i] at slip_force[i], linear between, 0 outside */
   MICROSLIP_PART_ATOMS = 3,            /**< φ = Σ value[i] δ(f* − slip_force[i]) */
-  MICROSLIP_PART_FOUR_PARAMETER = 4    /**< Segalman's, J. Appl. Mech. 72 (2005) 752; stands alone */
+  MICROSLIP_PART_FOUR_PARAMETER = 4    /**< Segalman's, J. Appl. Mech. 72 (2005) 752; only alone */
 } microslip_part_kind;
 
 /** A part of a density; those of a joint add up, and ∫φ df* must not exceed 1. Members that its kind
- * does not have are not looked at. See microslip_part_defaults(). */
+ * does not have are ignored. See microslip_part_defaults(). */
 typedef struct microslip_part {
   size_t struct_size;       /**< of the caller's struct */
-  microslip_part_kind kind; /**< which of them */
+  microslip_part_kind kind; /**< kind of the part */
   double from;              /**< N; ≥ 0; of UNIFORM and POWER_LAW */
   double to;                /**< N; > from; of UNIFORM and POWER_LAW */
   double weight;            /**< share of the stiffness, 1; ≥ 0; of UNIFORM */
@@ -153,7 +153,7 @@ MICROSLIP_API microslip_status microslip_joint_stiffness(const microslip_joint *
 MICROSLIP_API microslip_status microslip_joint_part_count(const microslip_joint *joint,
                                                           size_t *count);
 
-/** A part, as it was given. @param joint  any. @param index  below the number of parts.
+/** Returns a part as it was given. @param joint  any. @param index  below the number of parts.
  * @param part  its struct_size is set by the caller; its arrays belong to the joint. */
 MICROSLIP_API microslip_status microslip_joint_part(const microslip_joint *joint, size_t index,
                                                     microslip_part *part);
@@ -197,21 +197,21 @@ MICROSLIP_API microslip_status microslip_density(const microslip_joint *joint, s
 
 /* ---- Memory ------------------------------------------------------------------------------------- */
 
-/** What a joint remembers of its displacements, exactly, by Madelung's rules. For an implicit
- * integrator: microslip_memory_trial() at each iteration, microslip_memory_advance() once at
+/** The exact memory of a joint: the reversals of its displacement, by Madelung's rules. For an
+ * implicit integrator: microslip_memory_trial() at each iteration, microslip_memory_advance() once at
  * convergence. Not for two threads at once. */
 typedef struct microslip_memory microslip_memory;
 
-/** A virgin memory, at rest at x = 0. @param joint  it stays alive inside. @param memory  of it. */
+/** Creates a memory in the virgin state at x = 0. @param joint  kept alive. @param memory  of it. */
 MICROSLIP_API microslip_status microslip_memory_create(const microslip_joint *joint,
                                                        microslip_memory **memory);
 
-/** A copy with all that is remembered. @param memory  any. @param copy  of it. */
+/** Copies a memory with its state. @param memory  any. @param copy  of it. */
 MICROSLIP_API microslip_status microslip_memory_copy(const microslip_memory *memory,
                                                      microslip_memory **copy);
 
-/** Makes a memory what another is, its joint included: back to a snapshot.
- * @param memory  that changes. @param from  that does not. */
+/** Assigns the state of another memory, its joint included: back to a snapshot.
+ * @param memory  that is overwritten. @param from  the snapshot. */
 MICROSLIP_API microslip_status microslip_memory_assign(microslip_memory *memory,
                                                        const microslip_memory *from);
 
@@ -240,7 +240,7 @@ MICROSLIP_API microslip_status microslip_memory_advance(microslip_memory *memory
 MICROSLIP_API microslip_status microslip_memory_march(microslip_memory *memory, size_t count,
                                                       const double *displacement, double *force);
 
-/** What the sliders would take in a step to x, J; the sum over the steps taken is what was lost.
+/** The energy that the sliders would dissipate in a step to x, J; over the steps taken it adds up.
  * @param memory  any. @param displacement  x, m. @param energy  J; ≥ 0. */
 MICROSLIP_API microslip_status microslip_memory_dissipation(const microslip_memory *memory,
                                                             double displacement, double *energy);
@@ -250,7 +250,7 @@ MICROSLIP_API microslip_status microslip_memory_dissipation(const microslip_memo
 MICROSLIP_API microslip_status microslip_memory_stored_energy(const microslip_memory *memory,
                                                               double *energy);
 
-/** Where the joint stands. @param memory  any. @param displacement  x, m; may be NULL.
+/** The present state of the joint. @param memory  any. @param displacement  x, m; may be NULL.
  * @param force  f, N; may be NULL. */
 MICROSLIP_API microslip_status microslip_memory_state(const microslip_memory *memory,
                                                       double *displacement, double *force);
@@ -258,12 +258,12 @@ MICROSLIP_API microslip_status microslip_memory_state(const microslip_memory *me
 /** Back to the virgin state at x = 0. @param memory  that forgets. */
 MICROSLIP_API microslip_status microslip_memory_reset(microslip_memory *memory);
 
-/* ---- Levels, and the joint that they tell ------------------------------------------------------- */
+/* ---- Levels, and the joint identified from them ------------------------------------------------- */
 
-/** Levels of vibration: amplitude and dissipation of each, and what else was measured. */
+/** Levels of vibration: amplitude and dissipation of each, and further measured columns. */
 typedef struct microslip_levels microslip_levels;
 
-/** Columns of levels beside amplitude and dissipation. */
+/** Columns of levels in addition to amplitude and dissipation. */
 typedef enum microslip_level_column MICROSLIP_INT {
   MICROSLIP_LEVEL_AMPLITUDE_STD = 0,        /**< standard deviation of A, m; ≥ 0 */
   MICROSLIP_LEVEL_DISSIPATION_STD = 1,      /**< standard deviation of D, J; ≥ 0 */
@@ -283,7 +283,7 @@ MICROSLIP_API microslip_status microslip_levels_create(size_t count, const doubl
                                                        const double *dissipation,
                                                        microslip_levels **levels);
 
-/** Adds a column to levels that nobody else uses at the time, or replaces it. What is identified from
+/** Adds a column to levels that are not in use at the time, or replaces it. An identification from
  * levels of a file that were changed so does not name the file as its input.
  * @param levels  that get it. @param column  which. @param count  as many as there are levels.
  * @param values  copied. */
@@ -310,19 +310,19 @@ typedef struct microslip_identify_options {
   const char *smoothing;        /**< "gcv" (default), "lambda=X", "p=X" */
   const char *smoothing_unit;   /**< of the amplitude with "p=X" of the spline: "mm"; NULL without */
   const char *fit;              /**< "none" (default), "four_parameter", "power_law", "uniform" */
-  int linear_damping;           /**< 1: finds β of D = … + βA², too; 0 (default) */
-  int atom;                     /**< 1: seeks macro-slip, too; 0 (default) */
-  int edges;                    /**< 1 (default): lets the density jump; 0 */
+  int linear_damping;           /**< 1: identifies β of D = … + βA² as well; 0 (default) */
+  int atom;                     /**< 1: seeks macro-slip as well; 0 (default) */
+  int edges;                    /**< 1 (default): the density may jump; 0 */
   size_t bands;                 /**< draws of the band; 0 (default): no band, else 20 to 10⁶ */
   double confidence;            /**< nominal coverage of the band, in (0, 1); 0.95 */
   uint64_t seed;                /**< of the draws; 1 */
   double dissipation_gain_std;  /**< relative error of D that all levels share, 1; 0 */
   double amplitude_gain_std;    /**< relative error of A that all levels share, 1; 0 */
   double loss_factor_std;       /**< relative error of the loss in W_lin, 1; 0; needs W_lin */
-  int threads;                  /**< that draw: 0 (default) one a processor, 1 the calling one alone */
-  const char *command;          /**< what joint.json tells as the call, a line; NULL: a text of
+  int threads;                  /**< for the draws: 0 (default) one per processor, 1 the caller's */
+  const char *command;          /**< the command recorded in joint.json, a line; NULL: a text of
                                      microslip */
-  microslip_progress progress;  /**< told of the draws; NULL (default): nobody listens */
+  microslip_progress progress;  /**< called with the draws done; NULL (default): none */
   void *user;                   /**< handed to it */
 } microslip_identify_options;
 
@@ -330,13 +330,13 @@ typedef struct microslip_identify_options {
 MICROSLIP_API microslip_status
 microslip_identify_options_defaults(microslip_identify_options *options, size_t struct_size);
 
-/** What levels tell of a joint. */
+/** Result of an identification of a joint from levels. */
 typedef struct microslip_identification microslip_identification;
 
 /** Identifies a joint from its levels.
  * @param levels          4 amplitudes at least with the method "inversion".
- * @param options         with a stiffness.
- * @param identification  there too where the result is MICROSLIP_NOT_CONVERGED. */
+ * @param options         must have a stiffness.
+ * @param identification  also set where the status is MICROSLIP_NOT_CONVERGED. */
 MICROSLIP_API microslip_status microslip_identify(const microslip_levels *levels,
                                                   const microslip_identify_options *options,
                                                   microslip_identification **identification);
@@ -344,9 +344,9 @@ MICROSLIP_API microslip_status microslip_identify(const microslip_levels *levels
 /** Destroys an identification. @param identification  may be NULL. */
 MICROSLIP_API void microslip_identification_destroy(microslip_identification *identification);
 
-/** The joint, a handle of its own, to be destroyed by the caller. With provenance and identification,
+/** The identified joint, as a new handle that the caller destroys. With provenance and identification,
  * so that microslip_joint_write() writes the joint.json that the program writes.
- * @param identification  any. @param joint  that was found. */
+ * @param identification  any. @param joint  the identified joint. */
 MICROSLIP_API microslip_status microslip_identification_joint(
     const microslip_identification *identification, microslip_joint **joint);
 
@@ -366,9 +366,9 @@ MICROSLIP_API microslip_status microslip_identification_values(
 
 /** Numbers of an identification. */
 typedef enum microslip_identified_number MICROSLIP_INT {
-  MICROSLIP_IDENTIFIED_COVERED_FROM = 0,  /**< N: below it the levels tell two moments of φ only */
-  MICROSLIP_IDENTIFIED_COVERED_TO = 1,    /**< N: above it they tell nothing */
-  MICROSLIP_IDENTIFIED_LINEAR_DAMPING = 2 /**< β, J/m²; NaN where it was not sought */
+  MICROSLIP_IDENTIFIED_COVERED_FROM = 0,  /**< N: below it only two moments of φ are determined */
+  MICROSLIP_IDENTIFIED_COVERED_TO = 1,    /**< N: above it nothing is determined */
+  MICROSLIP_IDENTIFIED_LINEAR_DAMPING = 2 /**< β, J/m²; NaN where it was not identified */
 } microslip_identified_number;
 
 /** A number. @param identification  any. @param what  which. @param value  of it. */
@@ -388,13 +388,13 @@ MICROSLIP_API microslip_status microslip_identification_warning(
 
 /* ---- Structures --------------------------------------------------------------------------------- */
 
-/** A structure that is being put together. Not for two threads at once. */
+/** A structure under construction. Not for two threads at once. */
 typedef struct microslip_model microslip_model;
 
-/** A structure of modes, joints and what drives it. Immutable. */
+/** A structure of modes, joints and excitations. Immutable. */
 typedef struct microslip_structure microslip_structure;
 
-/** How a damping acts off the natural frequency. */
+/** Frequency dependence of the damping. */
 typedef enum microslip_damping MICROSLIP_INT {
   MICROSLIP_VISCOUS = 0,   /**< i η_i ω_i nω q_i in harmonic n */
   MICROSLIP_HYSTERETIC = 1 /**< i η_i ω_i² q_i in each harmonic */
@@ -402,8 +402,8 @@ typedef enum microslip_damping MICROSLIP_INT {
 
 /** Begins a model of modes: q̈_i + η_i ω_i q̇_i + ω_i² q_i = Σ_p φ_i(p) f_p, w(p) = Σ_i φ_i(p) q_i.
  * @param modes        ≥ 1.
- * @param frequency    ω_i/(2π), Hz; ≥ 0, 0 of a rigid body; one a mode.
- * @param loss_factor  η_i = 2ζ_i, 1; ≥ 0; one a mode.
+ * @param frequency    ω_i/(2π), Hz; ≥ 0, 0 of a rigid body; one per mode.
+ * @param loss_factor  η_i = 2ζ_i, 1; ≥ 0; one per mode.
  * @param damping      of all modes.
  * @param model        of them. */
 MICROSLIP_API microslip_status microslip_model_create(size_t modes, const double *frequency,
@@ -415,15 +415,15 @@ MICROSLIP_API microslip_status microslip_model_create(size_t modes, const double
 MICROSLIP_API void microslip_model_destroy(microslip_model *model);
 
 /** Adds a point. @param model  that gets it. @param name  not empty, no two the same.
- * @param modes  as many as the model has. @param shape  φ_i, mass-normalised, kg^−½; one a mode. */
+ * @param modes  as many as the model has. @param shape  φ_i, mass-normalised, kg^−½; per mode. */
 MICROSLIP_API microslip_status microslip_model_add_point(microslip_model *model, const char *name,
                                                          size_t modes, const double *shape);
 
-/** How a joint sits in a structure. */
+/** Options of a joint in a structure. */
 typedef struct microslip_joint_options {
   size_t struct_size;       /**< of the caller's struct */
   double spring_in_modes;   /**< k_s between its ends that the modes were computed with, N/m; ≥ 0; 0 */
-  double series_compliance; /**< c of what lies in series, m/N; ≥ 0; 0 */
+  double series_compliance; /**< c in series with the joint, m/N; ≥ 0; 0 */
   double linear_damping;    /**< β, J/m², ≥ 0; NaN (default): as identified with the joint, else 0 */
 } microslip_joint_options;
 
@@ -432,9 +432,9 @@ MICROSLIP_API microslip_status microslip_joint_options_defaults(microslip_joint_
                                                                 size_t struct_size);
 
 /** Adds a joint. @param model  that gets it. @param name  not empty, no two the same.
- * @param joint    it stays alive inside.
+ * @param joint    kept alive.
  * @param modes    as many as the model has.
- * @param shape    ψ_i, relative displacement across the joint over q_i, kg^−½; one a mode.
+ * @param shape    ψ_i, relative displacement across the joint over q_i, kg^−½; one per mode.
  * @param options  NULL: the defaults. */
 MICROSLIP_API microslip_status microslip_model_add_joint(microslip_model *model, const char *name,
                                                          const microslip_joint *joint, size_t modes,
@@ -452,12 +452,12 @@ MICROSLIP_API microslip_status microslip_model_add_excitation(microslip_model *m
                                                               const double *real,
                                                               const double *imaginary);
 
-/** Adds a force that acts for ever. @param model  that gets it. @param point  where it acts.
+/** Adds a constant force. @param model  that gets it. @param point  where it acts.
  * @param force  N. */
 MICROSLIP_API microslip_status microslip_model_add_static_load(microslip_model *model,
                                                                const char *point, double force);
 
-/** The structure; the model may go on or be destroyed.
+/** Creates the structure; the model may be used further or be destroyed.
  * @param model  with a point and an excitation. @param structure  of it. */
 MICROSLIP_API microslip_status microslip_structure_create(const microslip_model *model,
                                                           microslip_structure **structure);
@@ -470,7 +470,7 @@ MICROSLIP_API microslip_status microslip_structure_read(const char *path,
 /** Destroys a structure. @param structure  may be NULL. */
 MICROSLIP_API void microslip_structure_destroy(microslip_structure *structure);
 
-/** Natural frequencies with all joints stuck and nothing damped.
+/** Undamped natural frequencies with all joints stuck.
  * @param structure  any. @param frequency  Hz, rising; they belong to the structure.
  * @param count  how many. */
 MICROSLIP_API microslip_status microslip_structure_stuck_frequencies(
@@ -491,38 +491,38 @@ MICROSLIP_API microslip_status microslip_structure_joint(const microslip_structu
 
 /* ---- Steady vibrations over frequency ----------------------------------------------------------- */
 
-/** What the response at a point is. */
+/** Kinds of response at a point. */
 typedef enum microslip_response MICROSLIP_INT {
   MICROSLIP_DISPLACEMENT = 0, /**< |w_1|, m */
   MICROSLIP_VELOCITY = 1,     /**< ω|w_1|, m/s */
   MICROSLIP_ACCELERATION = 2  /**< ω²|w_1|, m/s² */
 } microslip_response;
 
-/** What is kept along a curve over the frequency. */
+/** The quantity held constant along a curve over the frequency. */
 typedef enum microslip_kept MICROSLIP_INT {
   MICROSLIP_KEEP_FORCE = 0,   /**< the amplitude A of the excitations, N (m/s² of a base) */
-  MICROSLIP_KEEP_RESPONSE = 1 /**< the response: the force is what is found */
+  MICROSLIP_KEEP_RESPONSE = 1 /**< the response; the force is computed */
 } microslip_kept;
 
 /** How steady vibrations are computed. */
 typedef struct microslip_frf_options {
   size_t struct_size;          /**< of the caller's struct */
   size_t harmonics;            /**< H: harmonics 0 to H; from 1; 5 */
-  size_t samples;              /**< of a cycle for the forces of joints; from 2H + 2; 256 */
+  size_t samples;              /**< per cycle for the forces of joints; from 2H + 2; 256 */
   double tolerance;            /**< largest residual, relative, 1; 1e-14 to 1e-4; 1e-12 */
   int max_iterations;          /**< evaluations that one solution may take; ≥ 2; 40 */
   double largest_change;       /**< from a point to the next, relative, 1; 1e-6 to 1; 0.2 */
   int least_points;            /**< of a curve; ≥ 1; 20 */
   int max_points;              /**< of a curve; ≥ 2; 5000 */
-  double accuracy;             /**< how far the polygon may lie beside the curve, 1; 0 or more; 0.002 */
-  size_t at_count;             /**< frequencies at which the curve has points as well; 0 */
+  double accuracy;             /**< interpolation error of the polygon, relative, 1; ≥ 0; 0.002 */
+  size_t at_count;             /**< number of additional frequencies of points of the curve; 0 */
   const double *at;            /**< Hz; `at_count` of them, within the range of
                                     microslip_frf(); backbones have none */
-  microslip_response response; /**< what is kept by MICROSLIP_KEEP_RESPONSE and on backbones */
+  microslip_response response; /**< kind with MICROSLIP_KEEP_RESPONSE and on backbones */
   int modal_forcing;           /**< 1: a backbone is the nonlinear mode; 0 (default) */
-  int judge;                   /**< 1 (default): what harmonics and modes above leave out is judged in
-                                    warnings, as the program does; 0: that time is saved */
-  microslip_progress progress; /**< told how far it has got; NULL (default): nobody listens */
+  int judge;                   /**< 1 (default): warnings assess the effect of missing harmonics and
+                                    modes, as in the program; 0: not, which saves time */
+  microslip_progress progress; /**< called with the progress; NULL (default): none */
   void *user;                  /**< handed to it */
 } microslip_frf_options;
 
@@ -530,19 +530,19 @@ typedef struct microslip_frf_options {
 MICROSLIP_API microslip_status microslip_frf_options_defaults(microslip_frf_options *options,
                                                               size_t struct_size);
 
-/** A curve of steady vibrations, in its own order: it may turn back. */
+/** A curve of steady vibrations, in the order of the curve, which may turn back. */
 typedef struct microslip_curve microslip_curve;
 
-/** The curve over the frequency from one end to the other, either way round, both ends on it.
+/** Computes the curve over the frequency from `from` to `to`, which may be lower; both are on it.
  * @param structure  any.
- * @param point      where the response is measured; NULL: as the file of the model says, else at the
- *                   first excitation.
- * @param kept       what is the same all along.
+ * @param point      where the response is measured; NULL: as given in the file of the model, else at
+ *                   the first excitation.
+ * @param kept       the constant quantity.
  * @param value      of it; > 0.
  * @param from       Hz; > 0.
  * @param to         Hz; > 0, other than `from`.
  * @param options    NULL: the defaults.
- * @param curve      there too where the result is MICROSLIP_NOT_CONVERGED. */
+ * @param curve      also set where the status is MICROSLIP_NOT_CONVERGED. */
 MICROSLIP_API microslip_status microslip_frf(const microslip_structure *structure, const char *point,
                                              microslip_kept kept, double value, double from,
                                              double to, const microslip_frf_options *options,
@@ -556,7 +556,7 @@ MICROSLIP_API microslip_status microslip_frf(const microslip_structure *structur
  * @param count      ≥ 1.
  * @param response   > 0, rising; in the unit of options->response.
  * @param options    NULL: the defaults.
- * @param curve      there too where the result is MICROSLIP_NOT_CONVERGED. */
+ * @param curve      also set where the status is MICROSLIP_NOT_CONVERGED. */
 MICROSLIP_API microslip_status microslip_backbone(const microslip_structure *structure,
                                                   const char *point, size_t mode, size_t count,
                                                   const double *response,
@@ -566,7 +566,7 @@ MICROSLIP_API microslip_status microslip_backbone(const microslip_structure *str
 /** Destroys a curve. @param curve  may be NULL. */
 MICROSLIP_API void microslip_curve_destroy(microslip_curve *curve);
 
-/** Columns of a curve, one value a vibration. */
+/** Columns of a curve, one value per vibration. */
 typedef enum microslip_curve_values_of MICROSLIP_INT {
   MICROSLIP_CURVE_FREQUENCY = 0,          /**< Hz */
   MICROSLIP_CURVE_FORCE = 1,              /**< A of the excitations, N (m/s² of a base) */
@@ -574,10 +574,10 @@ typedef enum microslip_curve_values_of MICROSLIP_INT {
   MICROSLIP_CURVE_REAL = 3,               /**< Re w_1 there, m; the phase of the force is 0 */
   MICROSLIP_CURVE_IMAGINARY = 4,          /**< Im w_1 there, m */
   MICROSLIP_CURVE_PHASE = 5,              /**< lag of w_1 behind the force, rad; in (−π, π] */
-  MICROSLIP_CURVE_DAMPING_RATIO = 6,      /**< ζ by the energy that a cycle loses, 1 */
+  MICROSLIP_CURVE_DAMPING_RATIO = 6,      /**< ζ from the energy lost per cycle, 1 */
   MICROSLIP_CURVE_DISSIPATION = 7,        /**< D of all joints, J per cycle */
   MICROSLIP_CURVE_LINEAR_DISSIPATION = 8, /**< of the structure itself, J per cycle */
-  MICROSLIP_CURVE_IMBALANCE = 9           /**< of the energies, relative, 1: how well it is solved */
+  MICROSLIP_CURVE_IMBALANCE = 9           /**< residual of the energy balance, relative, 1 */
 } microslip_curve_values_of;
 
 /** A column. @param curve  any. @param what  which. @param values  of it.
@@ -586,7 +586,7 @@ MICROSLIP_API microslip_status microslip_curve_values(const microslip_curve *cur
                                                       microslip_curve_values_of what,
                                                       const double **values, size_t *count);
 
-/** What a joint does along a curve. */
+/** Columns of a joint along a curve. */
 typedef enum microslip_curve_joint_of MICROSLIP_INT {
   MICROSLIP_CURVE_JOINT_AMPLITUDE = 0,  /**< half of max u − min u, m */
   MICROSLIP_CURVE_JOINT_DISSIPATION = 1 /**< D, J per cycle */
@@ -626,21 +626,21 @@ MICROSLIP_API microslip_status microslip_curve_warning(const microslip_curve *cu
 
 /* ---- Marches in time ---------------------------------------------------------------------------- */
 
-/** How a structure is marched. */
+/** Options of a march in time. */
 typedef struct microslip_march_options {
   size_t struct_size;               /**< of the caller's struct */
   double step;                      /**< longest step, s; 0 (default): by the shortest period */
   size_t every;                     /**< every n-th time is recorded; ≥ 1; 1 */
   double tolerance;                 /**< of the implicit equations, 1; 1e-14 to 1e-4; 1e-8 */
   int max_iterations;               /**< evaluations that one step may take; ≥ 2; 50 */
-  double largest_imbalance;         /**< of the energy, beyond which it is not converged, 1; 1e-4 */
-  int estimate_error;               /**< 1 (default): a second march of twice the step tells it; 0 */
-  double largest_error;             /**< beyond which it is not converged, 1; 1e-2 */
+  double largest_imbalance;         /**< energy imbalance above which it is not converged, 1; 1e-4 */
+  int estimate_error;               /**< 1 (default): by a second march of twice the step; 0 */
+  double largest_error;             /**< error above which it is not converged, 1; 1e-2 */
   size_t start_modes;               /**< modes with a start: 0 (default), at rest, or all; all where
                                          one of the next two is not NULL */
   const double *start_displacement; /**< q_i at the first time, kg^½ m; NULL: zeros */
   const double *start_velocity;     /**< q̇_i at the first time, kg^½ m/s; NULL: zeros */
-  microslip_progress progress;      /**< told of the times done; NULL (default): nobody listens */
+  microslip_progress progress;      /**< called with the times done; NULL (default): none */
   void *user;                       /**< handed to it */
 } microslip_march_options;
 
@@ -648,7 +648,7 @@ typedef struct microslip_march_options {
 MICROSLIP_API microslip_status microslip_march_options_defaults(microslip_march_options *options,
                                                                 size_t struct_size);
 
-/** A march in time. */
+/** Result of a march in time. */
 typedef struct microslip_marched microslip_marched;
 
 /** Marches a structure under forces that are linear between the times. The periodic excitations of the
@@ -661,7 +661,7 @@ typedef struct microslip_marched microslip_marched;
  *                    load: that of the first excitation.
  * @param loads       the force at each, N (m/s² of a base); `load_count` arrays of `count` values.
  * @param options     NULL: the defaults.
- * @param marched     there too where the result is MICROSLIP_NOT_CONVERGED, up to where it got. */
+ * @param marched     also set where the status is MICROSLIP_NOT_CONVERGED, up to the time reached. */
 MICROSLIP_API microslip_status microslip_march(const microslip_structure *structure, size_t count,
                                                const double *time, size_t load_count,
                                                const char *const *places,
@@ -677,21 +677,22 @@ MICROSLIP_API void microslip_marched_destroy(microslip_marched *marched);
 MICROSLIP_API microslip_status microslip_marched_time(const microslip_marched *marched,
                                                       const double **time, size_t *count);
 
-/** The motion of a point, one value a recorded time.
+/** The motion of a point, one value per recorded time.
  * @param marched  any. @param point  its index. @param what  displacement, m, velocity or
  * acceleration. @param values  of it. @param count  how many; may be NULL. */
 MICROSLIP_API microslip_status microslip_marched_point(const microslip_marched *marched, size_t point,
                                                        microslip_response what,
                                                        const double **values, size_t *count);
 
-/** What is recorded of a joint. */
+/** Recorded quantities of a joint. */
 typedef enum microslip_marched_joint_of MICROSLIP_INT {
   MICROSLIP_MARCHED_JOINT_DISPLACEMENT = 0, /**< u, m */
   MICROSLIP_MARCHED_JOINT_FORCE = 1         /**< F, N */
 } microslip_marched_joint_of;
 
-/** The motion of a joint, one value a recorded time. @param marched  any. @param joint  its index.
- * @param what  which. @param values  of it. @param count  how many; may be NULL. */
+/** The motion of a joint, one value per recorded time.
+ * @param marched  any. @param joint  its index. @param what  which. @param values  of it.
+ * @param count  how many; may be NULL. */
 MICROSLIP_API microslip_status microslip_marched_joint(const microslip_marched *marched, size_t joint,
                                                        microslip_marched_joint_of what,
                                                        const double **values, size_t *count);
@@ -707,7 +708,7 @@ typedef enum microslip_marched_number MICROSLIP_INT {
   MICROSLIP_MARCHED_LINEAR = 5,            /**< lost by the damping of the modes, J */
   MICROSLIP_MARCHED_JOINT_STORED = 6,      /**< in all joints at the end, J */
   MICROSLIP_MARCHED_JOINT_DISSIPATION = 7, /**< lost by slip in all joints, J */
-  MICROSLIP_MARCHED_JOINT_LINEAR = 8,      /**< lost beside slip in all joints, J */
+  MICROSLIP_MARCHED_JOINT_LINEAR = 8,      /**< other losses of all joints, J */
   MICROSLIP_MARCHED_IMBALANCE = 9,         /**< of the two sides, relative, 1 */
   MICROSLIP_MARCHED_ERROR = 10             /**< estimated, relative, 1; NaN where it is not known */
 } microslip_marched_number;

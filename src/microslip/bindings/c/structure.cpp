@@ -20,7 +20,7 @@ constexpr std::size_t kMostHarmonics = 1000;  // of a harmonic balance
 
 std::string name_of(const char* name, std::string_view argument) {
   std::string text = &at(name, argument);
-  if (text.empty()) throw InputError(argument, InputState{"empty"}, "must have a character");
+  if (text.empty()) throw InputError(argument, InputState{"empty"}, "must not be empty");
   return text;
 }
 
@@ -49,16 +49,16 @@ microslip_joint_options joint_defaults() {
 void add_joint(microslip_model& model, std::string name, const JointFile& file,
                std::vector<double> shape, const microslip_joint_options& options) {
   const std::optional<double> identified = identified_damping(file);
-  const bool said = !std::isnan(options.linear_damping);
-  const double damping = said ? not_negative(options.linear_damping, "options->linear_damping")
-                              : identified.value_or(0.0);
+  const bool given = !std::isnan(options.linear_damping);
+  const double damping = given ? not_negative(options.linear_damping, "options->linear_damping")
+                               : identified.value_or(0.0);
   StructuralJoint joint{std::move(name), file.joint, std::move(shape)};
   joint.spring_in_modes = not_negative(options.spring_in_modes, "options->spring_in_modes");
   joint.series_compliance = not_negative(options.series_compliance, "options->series_compliance");
   joint.linear_damping = damping;
   JointSource source{joint.name, file.joint, covered_to(file), identified};
   source.linear_damping = damping;
-  source.damping_said = said;
+  source.damping_said = given;
   model.joints.push_back(std::move(joint));
   model.sources.push_back(std::move(source));
 }
@@ -89,7 +89,7 @@ microslip_structure* new_structure(ModelFile model) {
   return made.release();
 }
 
-/// Where the response is measured unless a call says it: where the structure is driven.
+/// Default point of the response: where the structure is driven.
 ModelFile model_file(const microslip_model& model) {
   if (model.excitations.empty()) {
     throw InputError("model", InputState{"without an excitation"}, "must have at least one",

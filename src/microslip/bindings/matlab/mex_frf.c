@@ -161,7 +161,7 @@ mxArray* mex_frf(const mxArray** arguments) {
   value = force != NULL ? mx_number(force, "Force") : mx_number(response, "Response");
   mx_require(value > 0.0, force != NULL ? "Force" : "Response", "be positive");
   mx_require(range[0] > 0.0 && range[1] > 0.0 && range[0] != range[1], "Frequency",
-             "be two positive numbers that differ");
+             "be two different positive numbers");
   mx_begin_listening();
   status = microslip_frf(structure, point,
                          force != NULL ? MICROSLIP_KEEP_FORCE : MICROSLIP_KEEP_RESPONSE, value,

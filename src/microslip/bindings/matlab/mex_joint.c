@@ -11,7 +11,7 @@ typedef struct part_number {
   size_t offset;
 } part_number;
 
-/* What a kind of part is called in joint.json, and what it has. */
+/* The name of a kind of part in joint.json, and its fields. */
 typedef struct part_form {
   const char* type;
   microslip_part_kind kind;

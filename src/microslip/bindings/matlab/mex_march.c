@@ -162,14 +162,14 @@ mxArray* mex_march(const mxArray** arguments) {
   microslip_marched* marched = NULL;
   microslip_status status;
   mx_require(values == 0 || (times > 0 && values % times == 0), "force",
-             "have one value a time, in a column for each point");
+             "have one value per time, in a column for each point");
   loads = values == 0 ? 0 : values / times;
   mx_require(points != NULL || loads <= 1, "Points", "name the point of each column of force");
   columns = (const double**)mxCalloc(loads + 1, sizeof *columns);
   for (i = 0; i < loads; ++i) columns[i] = force + i * times;
   if (points != NULL) {
     mx_require(mxIsCell(points) && mxGetNumberOfElements(points) == loads, "Points",
-               "be a cell array of names, one a column of force");
+               "be a cell array of names, one per column of force");
     places = (const char**)mxCalloc(loads + 1, sizeof *places);
     for (i = 0; i < loads; ++i)
       places[i] = mx_text(mxGetCell(points, i), mx_item_name("Points", i));

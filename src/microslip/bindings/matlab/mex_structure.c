@@ -24,7 +24,7 @@ static microslip_model* begin_model(const mxArray* structure, size_t* modes) {
              "have damping_ratio or loss_factor, and not both");
   given = mx_numbers(ratio != NULL ? ratio : loss, "model.structure damping", &count);
   mx_require(count == 1 || count == *modes, "model.structure damping",
-             "have one value, or one a mode");
+             "have one value, or one per mode");
   eta = (double*)mxCalloc(*modes + 1, sizeof(double));
   for (i = 0; i < *modes; ++i) eta[i] = (ratio != NULL ? 2.0 : 1.0) * given[count == 1 ? 0 : i];
   mx_must(microslip_model_create(*modes, frequency, eta,

@@ -157,7 +157,7 @@ void mx_struct(const mxArray* array, const char* name, const char* const* known)
     const char* const* one = known;
     while (*one != NULL && strcmp(*one, field) != 0) ++one;
     if (*one == NULL)
-      mx_fail("input", "%s.%s is unknown; must be one of the fields that the help names", name,
+      mx_fail("input", "%s.%s is unknown; must be one of the fields in the help", name,
               field);
   }
 }
@@ -169,7 +169,7 @@ const mxArray* mx_optional(const mxArray* array, const char* field) {
 
 const mxArray* mx_needed(const mxArray* array, const char* field, const char* name) {
   const mxArray* value = mxGetField(array, 0, field);
-  if (value == NULL) mx_fail("input", "%s.%s is missing; must be there", name, field);
+  if (value == NULL) mx_fail("input", "%s.%s is missing; must be given", name, field);
   return value;
 }
 

@@ -12,8 +12,8 @@
 
 namespace microslip::python {
 
-/// An array as the package hands it over: it has looked at what users give, so that what is another
-/// is a mistake of the package and no copy is made of what it is.
+/// An array as the package passes it: arguments of users were checked there, so that another type
+/// is a mistake of the package, and no copy is made.
 using RealArray = pybind11::array_t<double, pybind11::array::c_style>;
 using ComplexArray = pybind11::array_t<std::complex<double>, pybind11::array::c_style>;
 
@@ -21,14 +21,14 @@ using ComplexArray = pybind11::array_t<std::complex<double>, pybind11::array::c_
 [[nodiscard]] std::span<const double> values(const RealArray& array);
 [[nodiscard]] std::span<const std::complex<double>> values(const ComplexArray& array);
 
-/// A copy of them.
+/// A copy of the numbers.
 [[nodiscard]] std::vector<double> copy_of(const RealArray& array);
-/// The same of what may be None: then empty.
+/// A copy of the numbers; empty for None.
 [[nodiscard]] std::vector<double> copy_of(const pybind11::object& array);
 /// An array of the numbers, without a copy: it owns the vector.
 [[nodiscard]] RealArray array_of(std::vector<double> numbers);
 [[nodiscard]] ComplexArray array_of(std::vector<std::complex<double>> numbers);
-/// None for no numbers, as of what was not measured.
+/// An array, or None without numbers, as of quantities that were not measured.
 [[nodiscard]] pybind11::object array_or_none(std::vector<double> numbers);
 /// An array by rows, of a length that divides theirs.
 [[nodiscard]] RealArray array_of(std::vector<double> numbers, std::size_t columns);

@@ -11,7 +11,7 @@
 /// The compiled half of the package: one function here for each file that adds a topic to it.
 namespace microslip::python {
 
-/// A joint is shared by what was made of it, so that this outlives the Python object.
+/// A joint is shared with the objects made of it, which may outlive the Python object.
 using SharedJoint = std::shared_ptr<const Joint>;
 
 void add_errors(pybind11::module_& core);

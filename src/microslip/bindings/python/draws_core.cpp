@@ -46,25 +46,26 @@ StructureSpread spread_of(const py::dict& given) {
           .response_gain = given["response_gain_std"].cast<double>()};
 }
 
-/// What draws of a structure are.
+/// Joins draws and spread of a structure.
 struct Draws {
   DrawOptions options;
   StructureDraws structures;
 };
 
-/// Whether the structure says the linear damping of a joint itself: that of draws is not used then.
-std::vector<bool> damping_said(const ModelFile& model) {
-  std::vector<bool> said;
+/// Whether the structure itself gives the linear damping of each joint; then draws do not change
+/// it.
+std::vector<bool> damping_given(const ModelFile& model) {
+  std::vector<bool> given;
   for (const StructuralJoint& joint : model.structure.joints()) {
-    const std::size_t j = said.size();
+    const std::size_t j = given.size();
     const bool known = j < model.identified_damping.size();
     const double found = known ? model.identified_damping[j].value_or(0.0) : 0.0;
-    said.push_back(joint.linear_damping != found);
+    given.push_back(joint.linear_damping != found);
   }
-  return said;
+  return given;
 }
 
-/// Of draws and spread that were given; of those that a model.toml names where neither was.
+/// The given draws and spread; those of the model.toml where neither was given.
 Draws draws_of_structure(const ModelFile& model, const py::dict& given) {
   const DrawOptions options = draw_options_of(given);
   const StructureSpread spread = given["has_spread"].cast<bool>() ? spread_of(given) : model.spread;
@@ -74,7 +75,7 @@ Draws draws_of_structure(const ModelFile& model, const py::dict& given) {
     return {options, draws_of(of, "structure", options)};
   }
   auto joints = given["joints"].cast<std::vector<std::optional<JointSamples>>>();
-  return {options, draws_of(model.structure, spread, std::move(joints), damping_said(model),
+  return {options, draws_of(model.structure, spread, std::move(joints), damping_given(model),
                             options, "structure")};
 }
 
@@ -173,7 +174,7 @@ py::tuple tuple_of(const StatisticSpread& of) {
   return py::make_tuple(of.value, of.lower, of.upper);
 }
 
-/// Every signals.size()-th of numbers that stand row by row.
+/// Every signals.size()-th of numbers stored by rows.
 RealArray column(const std::vector<double>& rows, std::size_t signal, std::size_t signals) {
   std::vector<double> numbers;
   for (std::size_t i = signal; i < rows.size(); i += signals) numbers.push_back(rows[i]);

@@ -10,8 +10,7 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-/// The classes of the package, errors.py, looked up when they are needed: that module needs none of
-/// this one.
+/// The classes of _errors.py, looked up when they are needed: that module does not import this one.
 void raise(const char* name, const std::exception& error) {
   const py::object type = py::module_::import("microslip._errors").attr(name);
   PyErr_SetString(type.ptr(), error.what());

@@ -79,7 +79,7 @@ LevelsIdentification level_options_of(const py::dict& given) {
   return all;
 }
 
-/// All that is known of levels.
+/// Levels from the columns of the package.
 std::string csv_of(const Levels& levels) {
   CsvWriter table = levels_table(levels);
   const auto add = [&](const char* name, const Dimension& dimension,
@@ -92,7 +92,7 @@ std::string csv_of(const Levels& levels) {
   return table.str();
 }
 
-/// Levels that came as arrays, as if they had been a file: what joint.json says of its input.
+/// The input recorded in joint.json for levels that came as arrays.
 NamedInput input_of(const Levels& levels) { return {"arrays", csv_of(levels)}; }
 
 py::object draws_or_none(const Identification& found, const Provenance& provenance) {
@@ -132,7 +132,7 @@ py::dict dict_of(const Identification& found, const Provenance& provenance) {
       "warnings"_a = python::list_of(found.warnings), "summary"_a = python::dict_of(found.summary));
 }
 
-/// @param notes  what the reader of the levels had to say: it belongs to what is found of them.
+/// @param notes  warnings of the reader of the levels, which are added to those of the result.
 py::dict identify_levels(const py::dict& columns, double stiffness, const py::dict& given,
                          const std::string& command,
                          const std::vector<std::pair<std::string, std::string>>& notes,
@@ -151,7 +151,7 @@ py::dict identify_levels(const py::dict& columns, double stiffness, const py::di
       found, identified_joint(found, of.options, {input_of(levels)}, command, of.texts));
 }
 
-/// Those of a file that an identification takes, and what it says of the others.
+/// The levels of a file that an identification uses, and warnings about the others.
 py::tuple read_levels_of(const std::string& path, bool use_inner_reversals, bool of_one_joint) {
   const LevelTable table = read_level_table(
       path, {.use_inner_reversals = use_inner_reversals,
@@ -160,13 +160,13 @@ py::tuple read_levels_of(const std::string& path, bool use_inner_reversals, bool
   return py::make_tuple(dict_of(table.used.levels), python::list_of(table.warnings));
 }
 
-/// How draws came to be, as a joint.json of the first.
+/// The provenance of draws, as a joint.json of the first.
 std::optional<std::string> origin_of(const JointSamples& of) {
   if (!of.provenance) return std::nullopt;
   return format_joint({of.joint(0), of.provenance, {}});
 }
 
-/// All that draws are, to be kept by pickle.
+/// The state of draws, for pickle.
 py::dict state_of(const JointSamples& of) {
   return py::dict("method"_a = of.method, "seed"_a = of.seed,
                   "slip_displacement"_a = array_of(of.slip_displacement),

@@ -62,7 +62,7 @@ py::list parts_of(const Joint& joint) {
   return all;
 }
 
-/// f at each number, beside the interpreter.
+/// f at each number, without the interpreter's lock.
 template <class Function>
 RealArray each(const RealArray& at, const Function& function) {
   const auto from = values(at);

@@ -13,9 +13,9 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-// A thread that nobody waits for may still work while the interpreter ends. Work is stopped then
-// and waited for, as what it uses ends next. Its thread must never return: whoever asks for the
-// lock of an interpreter that has ended is ended by Python in a way that C++ cannot follow.
+// A thread that nobody waits for may still work while the interpreter ends. Work is then stopped
+// and waited for, as the data that it uses are destroyed next. Its thread must never return: Python
+// ends a thread that asks for the lock of an ended interpreter without unwinding C++.
 std::atomic<bool> interpreter_ends = false;
 std::atomic<int> working = 0;
 
@@ -28,7 +28,7 @@ void stay_while_interpreter_ends() {
   while (interpreter_ends) sleep_for_a_while();
 }
 
-/// One of those that are waited for.
+/// A piece of work that is waited for.
 struct Working {
   Working() { ++working; }
   ~Working() { --working; }
@@ -36,7 +36,7 @@ struct Working {
   Working& operator=(const Working&) = delete;
 };
 
-/// Signals, and the listener where there is news.
+/// Handles signals, and calls the listener where there is progress.
 class Attention {
  public:
   explicit Attention(const py::object& listener) : listener_(listener) {}

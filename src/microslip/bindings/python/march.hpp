@@ -8,12 +8,12 @@
 
 namespace microslip::python {
 
-/// What acts on a structure, as march() of the package has it.
+/// The loads on a structure, from the arguments of march() of the package.
 [[nodiscard]] LoadHistory load_history_of(const RealArray& time, const pybind11::list& forces,
                                           const pybind11::list& normal_loads);
 [[nodiscard]] MarchOptions march_options_of(const pybind11::dict& given);
 
-/// A march as the package takes it.
+/// Converts a march to Python.
 [[nodiscard]] pybind11::dict march_dict(MarchResult result);
 
 }  // namespace microslip::python

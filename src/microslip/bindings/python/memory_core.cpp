@@ -20,13 +20,13 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-/// A memory that keeps its joint. A long path goes on without the interpreter's lock: others must
-/// not look at the memory meanwhile.
+/// A memory that keeps its joint. A long path runs without the interpreter's lock: other threads
+/// must not use the memory meanwhile.
 class OwningMemory {
  public:
   explicit OwningMemory(SharedJoint of) : joint_(std::move(of)), memory_(*joint_) {}
 
-  /// @throws InputError  while a path goes on.
+  /// @throws InputError  while a path runs.
   Memory& get() {
     check();
     return memory_;
@@ -77,7 +77,7 @@ py::tuple tuple_of(const Memory::Response& response) {
   return py::make_tuple(response.force, response.tangent);
 }
 
-/// An array of NumPy's own memory, which takes large pages for large ones: new pages would cost as
+/// An array of NumPy's own memory, which uses large pages for large arrays: new pages would cost as
 /// much as the march.
 RealArray forces_along(const RealArray& x) { return RealArray(x.size()); }
 
@@ -100,7 +100,7 @@ RealArray reversals(const OwningMemory& of) {
   return array_of(std::move(rows), 2);
 }
 
-/// A path of the network between looks at who listens.
+/// A path of the network between calls of the listener.
 void march_in_blocks(NetworkMemory& memory, std::span<const double> x, std::span<const double> load,
                      std::span<double> force, const Progress& progress) {
   constexpr std::size_t kBlock = 1000;

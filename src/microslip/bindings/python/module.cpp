@@ -7,7 +7,7 @@
 
 PYBIND11_MODULE(_core, core) {
   using namespace microslip::python;
-  core.doc() = "The compiled half of microslip. It is no interface: import microslip.";
+  core.doc() = "The compiled half of microslip. Not a public interface: import microslip.";
   core.attr("version") = std::string(microslip::kVersion);
   pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(stop_long_work));
   add_errors(core);

@@ -15,7 +15,7 @@ namespace microslip::python {
 
 Unit known_unit(const std::string& text) {
   if (const std::optional<Unit> unit = find_unit(text)) return *unit;
-  throw InputError("unit", "'" + text + "'", "must be a unit that is known here",
+  throw InputError("unit", "'" + text + "'", "must be a known unit",
                    "For instance N, m/s^2, g, um, or 1 for a number.");
 }
 

@@ -10,7 +10,7 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// Recordings as the package hands them over: a dict of `source`, `axis` (unit, start, step, values
+/// Recordings as the package passes them: a dict of `source`, `axis` (unit, start, step, values
 /// or None), `channels` (name, unit or None, values, attributes) and `attributes`; units of SI.
 namespace microslip::python {
 

@@ -21,7 +21,7 @@ namespace {
 
 using namespace py::literals;
 
-/// What the reader had to forgive goes with the recordings, as `microslip convert` has it.
+/// Warnings of the reader are kept with the recordings, as in `microslip convert`.
 py::tuple tuple_of(Recordings found) {
   add_warning_attributes(found.warnings, found.recordings);
   py::list warnings = list_of(found.warnings);

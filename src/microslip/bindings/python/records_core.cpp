@@ -25,7 +25,7 @@ namespace {
 
 using namespace py::literals;
 
-/// One record, or one table of levels, as the package hands it over: with its name.
+/// One record, or one table of levels, from the package, with its name.
 using GivenRecord = std::tuple<std::string, RealArray, RealArray, double>;
 using GivenLevels = std::tuple<std::string, py::dict>;
 
@@ -45,7 +45,7 @@ std::vector<NamedForceRecord> records_of(const std::vector<GivenRecord>& given) 
   return all;
 }
 
-/// What was given, as the files of the program are.
+/// The given arrays, as the files of the program.
 struct GivenEvidence {
   std::vector<NamedForceRecord> records;
   std::vector<std::pair<std::string, Levels>> levels;

@@ -22,13 +22,13 @@ namespace py = pybind11;
 namespace microslip::python {
 namespace {
 
-/// A page, and what must be known of it.
+/// A page, and its warnings.
 struct Page {
   std::string html;
   std::vector<Warning> warnings;
 };
 
-/// With pictures for paper as far as gnuplot is there.
+/// Adds figures for print where gnuplot is installed.
 Page page_of(ExperimentResults results, bool pictures) {
   if (!pictures) {
     return {html_report(experiment_report(results), {.picture = {}}), results.warnings};

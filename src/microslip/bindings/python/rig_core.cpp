@@ -47,7 +47,7 @@ VirtualMeasurementOptions measurement_options(const py::dict& given) {
           .linear_damping = given["linear_damping"].cast<double>()};
 }
 
-/// What a virtual test gives: records of the levels that were found.
+/// Result of a virtual test: records of the levels that were found.
 struct Measured {
   VirtualMeasurement test;
   std::vector<Recording> recordings;
@@ -81,7 +81,7 @@ Measured measured(const Rig& rig, const Joint& joint, const VirtualMeasurementOp
   return all;
 }
 
-/// Those of the levels, each kind once.
+/// The warnings of the levels, each kind once.
 py::list warnings_of(const Rig& rig, const Joint& joint, const VirtualMeasurement& test) {
   std::vector<Warning> all;
   if (const auto other = stiffness_warning(stick_state(rig), joint)) all.push_back(*other);
@@ -136,7 +136,7 @@ ReductionOptions reduction_options(const py::dict& given) {
   return all;
 }
 
-/// The records are there already: each is a file of its own to the batch.
+/// The records are in memory: the batch takes each as a file.
 RecordReader reader_of(const std::vector<Recording>& recordings) {
   return [&recordings](std::size_t i) { return std::vector<Recording>{recordings[i]}; };
 }
@@ -149,13 +149,13 @@ py::list rejected_of(const std::vector<RejectedRecord>& rejected) {
   return all;
 }
 
-/// Levels as a table has them: with D ≥ 0.
+/// Levels with D ≥ 0, as tables contain them.
 std::vector<ReducedLevel> levels_in_table(const ReductionBatch& batch) {
   std::vector<ReducedLevel> levels = batch.levels;
   std::erase_if(levels, [](const ReducedLevel& one) { return one.has_flag(kNegativeDissipation); });
   if (levels.empty()) {
     throw InputError("recordings", std::to_string(batch.levels.size()) + " levels",
-                     "must hold one with a dissipation of 0 or more",
+                     "must contain one with a dissipation of 0 or more",
                      batch.rejected.empty() ? "" : batch.rejected.front().reason);
   }
   return levels;
@@ -201,7 +201,7 @@ RigUncertainty uncertainty_of(const py::dict& given) {
           .acceleration_gain = std_of("acceleration_gain_std")};
 }
 
-/// Draws that were asked for.
+/// The requested draws.
 struct AskedDraws {
   DrawOptions options;
   std::optional<JointSamples> joint;
@@ -218,7 +218,7 @@ std::optional<AskedDraws> draws_of(const py::object& given) {
                     .rig = uncertainty_of(draws)};
 }
 
-/// A verification, and what draws make of it.
+/// A verification with its bands over draws.
 struct Verified {
   VerificationBatch batch;
   std::optional<VerificationSpread> spread;
@@ -238,7 +238,7 @@ Verified verified(const Verifier& verifier, const std::vector<Recording>& record
   return all;
 }
 
-/// That of the first record whose prediction was not found, or of the first.
+/// The summary of the first record whose prediction was not found, or of the first.
 const Summary& worst_summary(const VerificationBatch& batch) {
   for (const Verification& record : batch.records) {
     if (!record.summary.converged()) return record.summary;
@@ -249,7 +249,7 @@ const Summary& worst_summary(const VerificationBatch& batch) {
 py::dict dict_of(const Verified& all, const std::string& command) {
   const std::vector<Verification>& records = all.batch.records;
   if (records.empty()) {
-    throw InputError("recordings", "none that can be verified", "must hold one",
+    throw InputError("recordings", "none that can be verified", "must contain one",
                      all.batch.rejected.empty() ? "" : all.batch.rejected.front().reason);
   }
   std::vector<Warning> warnings = verification_warnings(all.batch);

@@ -70,7 +70,7 @@ py::dict dict_of(const RingDown& decay) {
       "warnings"_a = list_of(decay.warnings), "summary"_a = python::dict_of(decay.summary));
 }
 
-/// What levels need of a decay; the rest is told already.
+/// Rebuilds the part of a decay that levels need; its warnings were issued already.
 RingDown decay_of(const py::dict& given) {
   const auto column = [&](const char* name) { return copy_of(given[name].cast<RealArray>()); };
   RingDown decay;

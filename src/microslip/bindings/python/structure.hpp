@@ -7,8 +7,8 @@
 
 namespace microslip::python {
 
-/// A structure with what a model.toml says beside it, so that it is judged as that would be: levels
-/// that joints were identified by, modes left out. Shared by what was made of it.
+/// A structure with the further contents of a model.toml, so that the same checks apply: levels
+/// that joints were identified from, modes left out. Shared with the objects made of it.
 using SharedModel = std::shared_ptr<const ModelFile>;
 
 }  // namespace microslip::python

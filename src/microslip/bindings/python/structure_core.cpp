@@ -78,28 +78,27 @@ std::vector<StaticLoad> static_loads_of(const py::list& loads) {
   return all;
 }
 
-/// A number of each joint, where the model says it.
-std::vector<std::optional<double>> told_of(const py::list& joints, const char* key) {
+/// The value of each joint under a key; none where it is not known.
+std::vector<std::optional<double>> known_values(const py::list& joints, const char* key) {
   std::vector<std::optional<double>> all;
   for (const py::handle joint : joints) all.push_back(joint[key].cast<std::optional<double>>());
   return all;
 }
 
-/// Where the response is measured unless something is said: where it is driven, or at the first
-/// point of what a base shakes.
+/// Default point of the response: the driven point, or the first point with a base excitation.
 std::string usual_response(const JointedStructure& structure) {
   const std::string& driven = structure.excitations().front().point;
   const ModalModel& linear = structure.linear();
   return linear.is_base(driven) && !linear.points().empty() ? linear.points().front().name : driven;
 }
 
-/// What is told of a structure beside its parts: told_beside() of it, or None of a new one.
-void tell_beside(const py::object& told, ModelFile& of) {
-  if (told.is_none()) return;
-  of.response = told["response"].cast<std::string>();
-  of.joint_samples = told["joint_samples"].cast<std::vector<std::string>>();
-  of.damping_said = told["damping_said"].cast<std::vector<bool>>();
-  const auto spread = told["spread"];
+/// Sets what a structure has beside its parts from further_data() of another, or from None.
+void set_further_data(const py::object& further, ModelFile& of) {
+  if (further.is_none()) return;
+  of.response = further["response"].cast<std::string>();
+  of.joint_samples = further["joint_samples"].cast<std::vector<std::string>>();
+  of.damping_said = further["damping_given"].cast<std::vector<bool>>();
+  const auto spread = further["spread"];
   of.spread = {.frequency = spread["frequency"].cast<std::vector<double>>(),
                .loss_factor = spread["loss_factor"].cast<std::vector<double>>(),
                .normal_load = spread["normal_load"].cast<std::vector<double>>(),
@@ -107,10 +106,10 @@ void tell_beside(const py::object& told, ModelFile& of) {
                .response_gain = spread["response_gain"].cast<double>()};
 }
 
-py::dict told_beside(const ModelFile& of) {
+py::dict further_data(const ModelFile& of) {
   return py::dict(
       "response"_a = of.response, "joint_samples"_a = of.joint_samples,
-      "damping_said"_a = of.damping_said,
+      "damping_given"_a = of.damping_said,
       "spread"_a =
           py::dict("frequency"_a = of.spread.frequency, "loss_factor"_a = of.spread.loss_factor,
                    "normal_load"_a = of.spread.normal_load, "force_gain"_a = of.spread.force_gain,
@@ -119,7 +118,7 @@ py::dict told_beside(const ModelFile& of) {
 
 std::shared_ptr<ModelFile> structure_of(const py::dict& linear, const py::list& joints,
                                         const py::list& excitations, const std::string& damping,
-                                        const py::list& loads, const py::object& told) {
+                                        const py::list& loads, const py::object& further) {
   ModalModel modes = modal_model_of(linear);
   std::vector<StructuralJoint> parts = joints_of(joints);
   std::vector<Excitation> driven = excitations_of(excitations);
@@ -135,14 +134,14 @@ std::shared_ptr<ModelFile> structure_of(const py::dict& linear, const py::list& 
       .structure = *structure,
       .response = usual_response(*structure),
       .joint_files = std::vector<std::string>(joints.size()),
-      .covered_to = told_of(joints, "covered_to"),
-      .identified_damping = told_of(joints, "identified_damping"),
+      .covered_to = known_values(joints, "covered_to"),
+      .identified_damping = known_values(joints, "identified_damping"),
       .static_attachments = linear["static_attachments"].cast<std::optional<std::size_t>>()});
-  tell_beside(told, *made);
+  set_further_data(further, *made);
   return made;
 }
 
-// What a structure was made of: the same that structure_of() takes.
+// The parts of a structure, as structure_of() takes them.
 
 py::dict linear_part(const ModalModel& linear, std::optional<std::size_t> static_modes) {
   std::vector<double> frequency;
@@ -165,7 +164,7 @@ py::dict linear_part(const ModalModel& linear, std::optional<std::size_t> static
                   "bases"_a = bases, "static_attachments"_a = static_modes);
 }
 
-/// Entry j, where there are so many.
+/// Entry j, or none beyond the last.
 std::optional<double> entry(const std::vector<std::optional<double>>& of, std::size_t j) {
   return j < of.size() ? of[j] : std::nullopt;
 }
@@ -284,7 +283,7 @@ void add_structure(py::module_& core) {
       .def("joints", joint_parts)
       .def("excitations", excitation_parts)
       .def("static_loads", load_parts)
-      .def("told", told_beside)
+      .def("further_data", further_data)
       .def_property_readonly("damping",
                              [](const ModelFile& of) {
                                const bool lags = of.structure.damping() == DampingLaw::kHysteretic;

@@ -12,8 +12,8 @@
 
 namespace microslip::python {
 
-/// A balance with the model that judges its curves: each has the warnings that the program gives
-/// it, on modes and harmonics that it lacks, joints beyond their levels, no resonance.
+/// A balance with the model by which its curves are checked: each has the warnings of the program,
+/// on missing modes and harmonics, joints beyond their levels, no resonance.
 struct JudgedBalance {
   SharedModel model;
   HarmonicBalance balance;

@@ -78,7 +78,7 @@ RealArray column(const std::vector<SteadyVibration>& points, const Member& membe
   return array_of(std::move(numbers));
 }
 
-/// Rows of complex numbers, one a vibration, each of `length`.
+/// Rows of complex numbers, one per vibration, each of `length`.
 template <class Row>
 ComplexArray complex_rows(const std::vector<SteadyVibration>& points, py::ssize_t length,
                           const Row& row) {
@@ -169,7 +169,7 @@ py::dict follow_backbone(const JudgedBalance& of, const RealArray& responses, st
       listener));
 }
 
-/// A vibration as a curve of one point, so that it is judged as others are.
+/// A vibration as a curve of one point, so that the same checks apply.
 ResponseCurve judged_point(const JudgedBalance& of, const VibrationResult& result,
                            const Target& kept) {
   ResponseCurve curve;

@@ -41,7 +41,7 @@ void CycleExtremes::find(std::span<const double> x, std::span<const double> coef
   extremes_.clear();
   const std::size_t n = x.size();
   const double step = 2.0 * std::numbers::pi / static_cast<double>(n);
-  // The direction in which the first sample is reached; equal samples go on as before.
+  // The direction in which the first sample is reached; equal samples keep it.
   double direction = 0.0;
   for (std::size_t k = n; k-- > 0 && direction == 0.0;) direction = x[(k + 1) % n] - x[k];
   if (direction == 0.0) return;

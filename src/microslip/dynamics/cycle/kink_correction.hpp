@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// What the sums over samples of a force with kinks miss of its harmonics. Internal to dynamics.
+/// Correction of the harmonics from sums over samples of a force with kinks. Internal to dynamics.
 ///
 /// The harmonics are ∮ fT dτ, for which h Σ fT errs by the order h² where f has kinks. They are
 /// known: where the derivatives of g = fT jump by [g′], [g″] at the share θ of an interval, Euler
@@ -37,7 +37,7 @@ class KinkCorrection {
   void add_turn(double tau, Eigen::Index next, double acceleration,
                 const Eigen::Ref<const Eigen::VectorXd>& row, double jump);
 
-  /// A jump of the tangent on the way, where x passes x_ref + constant.
+  /// A jump of the tangent where x passes x_ref + constant.
   /// @param reference  T where x is x_ref.
   /// @param gradient   of the jump by the coefficients of x.
   void add_kink(double tau, double jump, const Eigen::Ref<const Eigen::VectorXd>& reference,

@@ -141,13 +141,13 @@ void SteadyCycle::turn_round(Index first) {
   const std::size_t extremes = extremes_.size();
   const std::size_t branches = reaches_.size();
   const auto opposite = [&](std::size_t i) { return (i + extremes / 2) % extremes; };
-  for (std::size_t i = 1; i < branches; ++i) {  // the way from virgin rest is one
+  for (std::size_t i = 1; i < branches; ++i) {  // the path from virgin rest is one
     reaches_.push_back({reaches_[i].half, opposite(reaches_[i].at), opposite(reaches_[i].from)});
   }
 }
 
-/// From sums to harmonics. Even and odd ones of an odd wave do not know of each other, exactly, so
-/// that those who solve equations with it see it.
+/// From sums to harmonics. Even and odd ones of an odd wave are exactly decoupled, so that solvers
+/// of equations can use that.
 void SteadyCycle::hand_over(std::span<double> force, std::span<double> jacobian) {
   const bool odd = columns_->wave == Wave::kOdd;
   const double times = half_ ? 2.0 : 1.0;

@@ -21,10 +21,10 @@ namespace microslip {
 /// Σ T F′ Tᵀ + Σ T (f_r′ − F′ T_r)ᵀ: the first sum over all branches is a matrix of multiplication
 /// by F′(τ), and the second is of rank 1 on each branch.
 ///
-/// Where no even harmonic moves, x(τ + π) = −x(τ), the second half of the cycle is the first turned
-/// round, and half of it is gone through: its sums are half of those in odd harmonics of the force,
-/// and in derivatives of odd harmonics by odd and even by even ones. What else they hold vanishes
-/// over the whole.
+/// Where no even harmonic moves, x(τ + π) = −x(τ), the second half of the cycle is the negated
+/// first, and half of it is evaluated: its sums are half of those in odd harmonics of the force,
+/// and in derivatives of odd harmonics by odd and even by even ones. Their other entries vanish
+/// over the whole cycle.
 class SteadyCycle {
  public:
   SteadyCycle(std::size_t harmonics, std::size_t samples);
@@ -51,15 +51,15 @@ class SteadyCycle {
     double force;
   };
 
-  /// How far a branch goes: half of the way from the reversal that it comes from, or, of the first
-  /// extreme, |x| from virgin rest, m.
+  /// Extent of a branch: half of the distance from its reversal, or, of the first extreme, |x| from
+  /// virgin rest, m.
   struct Reach {
     double half;
     std::size_t at;
     std::size_t from;  ///< as `at`: on the virgin curve
   };
 
-  /// Samples between two extremes, in which x moves one way.
+  /// Samples between two extremes, in which x is monotone.
   struct Stretch {
     std::size_t from;  ///< the extremes
     std::size_t to;
@@ -68,13 +68,13 @@ class SteadyCycle {
     Eigen::Index samples;
   };
 
-  /// What is needed of a wave of one kind.
+  /// Columns needed for a wave of one kind.
   struct Columns {
     Columns(Wave which, std::size_t harmonics);
 
     Wave wave;
     std::vector<Eigen::Index> motion;  ///< of the basis: the coefficients of x and of the force
-    /// Those of the sums over F′: all up to H, then the others that its moments have; of an odd
+    /// Columns of the sums over F′: all up to H, then the others that its moments have; of an odd
     /// wave F′ has even harmonics alone.
     std::vector<Eigen::Index> sums;
   };
@@ -117,7 +117,7 @@ class SteadyCycle {
   Eigen::VectorXd jump_gradient_;      // of the jump of the tangent at a kink
   Eigen::VectorXd part_;               // sums of F′ over one block of samples
   Eigen::VectorXd moments_;            // of F′ over all samples
-  Eigen::MatrixXd through_reversals_;  // the part of the Jacobian that reversals hand on
+  Eigen::MatrixXd through_reversals_;  // the part of the Jacobian through the reversals
   std::vector<double> sums_;           // of the force
 };
 

@@ -159,7 +159,7 @@ TrigonometricBasis::TrigonometricBasis(std::size_t harmonics, std::size_t sample
           VectorXd::Constant(coefficient_count(harmonics), 2.0 / static_cast<double>(samples))) {
   weights_[0] = 1.0 / static_cast<double>(samples);
   // The angle of each product n k is reduced to one period in integers: no digits are lost to a
-  // large one, and one turn of sines serves all.
+  // large one, and the sines of one period suffice.
   const Index count = rows_.rows();
   VectorXd cosine(count);
   VectorXd sine(count);

@@ -32,8 +32,8 @@ namespace microslip {
   return i == 0 || (i - 1) / 2 % 2 == 1;
 }
 
-/// Which coefficients of a function a vector holds: all, or, where x(τ + π) = −x(τ), those of odd
-/// harmonics, (Re x_1, Im x_1, Re x_3, …).
+/// Coefficients of a function in a vector: all, or, where x(τ + π) = −x(τ), those of odd harmonics,
+/// (Re x_1, Im x_1, Re x_3, …).
 enum class Wave : std::uint8_t { kAny, kOdd };
 
 /// Where in such a vector the pair of harmonic 1 begins.
@@ -79,7 +79,7 @@ class TrigonometricBasis {
   [[nodiscard]] std::size_t harmonics() const { return harmonics_; }
   [[nodiscard]] Eigen::Index samples() const { return rows_.rows(); }
 
-  /// N × (4H + 1): a row a sample, up to harmonic 2H.
+  /// N × (4H + 1): one row per sample, up to harmonic 2H.
   [[nodiscard]] const Eigen::MatrixXd& rows() const { return rows_; }
 
   /// (N + 1) × (2H + 1): row k is the sum of the rows before k.

@@ -33,7 +33,7 @@ enum class DrawnKind : std::uint64_t {
   return {seed, (static_cast<std::uint64_t>(kind) << kKindBits) + number};
 }
 
-/// e^{σz} for the next z, which is used up also where σ is 0.
+/// e^{σz} for the next z, which is also drawn where σ is 0.
 [[nodiscard]] inline double drawn_factor(RandomStream& random, const std::vector<double>& spread,
                                          std::size_t at) {
   const double z = random.normal();

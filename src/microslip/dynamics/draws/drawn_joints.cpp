@@ -21,9 +21,8 @@ void check_joints(const std::vector<JointDraws>& joints, JointPairing pairing) {
     if (draws.count == 0) continue;
     if (first == 0) first = draws.count;
     if (pairing == JointPairing::kIndependent || draws.count == first) continue;
-    throw InputError(
-        "draws of a joint", static_cast<double>(draws.count),
-        fmt::format("must be as many as of the others, {}, to belong together", first));
+    throw InputError("draws of a joint", static_cast<double>(draws.count),
+                     fmt::format("must be as many as of the others, {}, to be paired", first));
   }
 }
 
@@ -45,7 +44,7 @@ void check_spread(std::string_view name, const std::vector<double>& spread, std:
   if (!spread.empty() && spread.size() != count) {
     throw InputError(fmt::format("number of values of {}", name),
                      static_cast<double>(spread.size()),
-                     fmt::format("must be {}, one {}, or 0", count, of));
+                     fmt::format("must be {}, one per {}, or 0", count, of));
   }
   for (const double value : spread) {
     if (value >= 0.0 && value <= DrawnJoints::kLargestSpread) continue;
@@ -60,7 +59,7 @@ DrawnJoints::DrawnJoints(std::vector<JointDraws> draws, std::vector<double> norm
       normal_load_(std::move(normal_load)),
       pairing_(pairing),
       seed_(seed) {
-  check_spread("spread of a normal load", normal_load_, draws_.size(), "a joint");
+  check_spread("spread of a normal load", normal_load_, draws_.size(), "joint");
   check_joints(draws_, pairing_);
   for (std::size_t j = 0; j < draws_.size(); ++j) {
     const std::size_t own = pairing_ == JointPairing::kTogether ? 0 : j;

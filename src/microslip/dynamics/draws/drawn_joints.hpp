@@ -15,7 +15,7 @@ namespace microslip {
 /// A joint as it may be.
 struct DrawnJoint {
   Joint joint;                                ///< the draw
-  std::optional<double> linear_damping = {};  ///< β, J/m²; nothing: as it is without draws
+  std::optional<double> linear_damping = {};  ///< β, J/m²; none: as without draws
 };
 
 /// Draws of one joint.
@@ -25,20 +25,20 @@ struct JointDraws {
   std::function<DrawnJoint(std::size_t i)> at = {};
 };
 
-// g++ 12 says that scoped enumerators hide names of other types, which they do not.
+// g++ 12 warns that scoped enumerators hide names of other types, which they do not.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 
-/// What the draws of several joints have to do with each other.
+/// Pairing of the draws of several joints.
 enum class JointPairing {
-  kIndependent,  ///< each was drawn by itself
+  kIndependent,  ///< drawn independently
   kTogether,     ///< draws of the same number belong together, as one calibration drew them
 };
 
 #pragma GCC diagnostic pop
 
-/// Joints as they may be: draw i of seed s, the same in a structure and by itself, whatever the
-/// order and the number of those that are drawn, the machine, its threads and ranks. Immutable.
+/// Posterior draws of joints: draw i of seed s, the same in a structure and alone, whatever the
+/// order and the number of draws, the machine, its threads and ranks. Immutable.
 ///
 /// Draws of a joint are taken without repetition, in an order that the seed makes, from first to
 /// last, then again in another: N draws out of M ≥ N are N different ones. Then comes the normal

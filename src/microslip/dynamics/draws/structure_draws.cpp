@@ -20,7 +20,7 @@ bool any_above_zero(const std::vector<double>& values) {
   return std::ranges::any_of(values, [](double value) { return value > 0.0; });
 }
 
-/// None stand for as many that are certain.
+/// None are replaced by as many without uncertainty.
 std::vector<JointDraws> one_a_joint(std::vector<JointDraws> joints, std::size_t count) {
   if (joints.empty()) joints.resize(count);
   if (joints.size() == count) return joints;
@@ -28,7 +28,7 @@ std::vector<JointDraws> one_a_joint(std::vector<JointDraws> joints, std::size_t 
                    fmt::format("must be {}, one per joint, or 0", count));
 }
 
-/// What acts where this is read.
+/// The excitations for given readings: divided by their gains.
 std::vector<Excitation> over_gains(std::span<const Excitation> read,
                                    const std::vector<double>& gains) {
   std::vector<Excitation> excitations(read.begin(), read.end());
@@ -54,11 +54,11 @@ StructureDraws::StructureDraws(JointedStructure nominal, StructureSpread spread,
               pairing, seed),
       seed_(seed) {
   const std::size_t modes = nominal_.linear().size();
-  check_spread("spread of a frequency", spread_.frequency, modes, "a mode");
-  check_spread("spread of a loss factor", spread_.loss_factor, modes, "a mode");
+  check_spread("spread of a frequency", spread_.frequency, modes, "mode");
+  check_spread("spread of a loss factor", spread_.loss_factor, modes, "mode");
   check_spread("spread of a force gain", spread_.force_gain, nominal_.excitations().size(),
-               "an excitation");
-  check_spread("spread of the response gain", {spread_.response_gain}, 1, "a response");
+               "excitation");
+  check_spread("spread of the response gain", {spread_.response_gain}, 1, "response");
 }
 
 bool StructureDraws::any() const { return spread_.any() || joints_.any(); }

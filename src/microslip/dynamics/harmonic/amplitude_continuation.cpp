@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 constexpr double kStuckShare = 1e-3;       // of the macro-slip force: hardly any slip
 constexpr double kLargestRatio = 4.0;      // of two levels
 constexpr double kStuckLoss = 0.01;        // of joints in the linear vibration to start from
-constexpr double kSmallestRatio = 1.0005;  // below it the walk is stuck
+constexpr double kSmallestRatio = 1.0005;  // below it the continuation is stuck
 
 /// The number of the stuck mode next to ω.
 std::size_t mode_at(const JointedStructure& structure, double angular_frequency) {
@@ -47,9 +47,8 @@ double stuck_share(const JointedStructure& structure, const VectorXd& motion) {
   return share;
 }
 
-/// What the modes and the joints lose of a mode v of amplitude a, as the ξ that feeds it:
-/// Σ v_i² η_i ω_i + Σ D_j/(π ω a²), or where that is nothing, as of atoms, a little loss of the
-/// joints.
+/// Loss of the modes and the joints in a mode v of amplitude a, as the ξ that balances it: Σ v_i²
+/// η_i ω_i + Σ D_j/(π ω a²), or where that is 0, as for atoms, a small loss of the joints.
 double stuck_excitation(const JointedStructure& structure, const std::vector<double>& mode,
                         const VectorXd& motion, double amplitude, double angular_frequency) {
   double excitation = 0.0;
@@ -159,11 +158,12 @@ VectorXd scaled(BalanceEquations& equations, VectorXd z, const Target& level) {
   return z;
 }
 
-LevelWalk::LevelWalk(BalanceEquations& equations, const NewtonOptions& options, const Target& kept,
-                     Quantity level)
+AmplitudeContinuation::AmplitudeContinuation(BalanceEquations& equations,
+                                             const NewtonOptions& options, const Target& kept,
+                                             Quantity level)
     : equations_(equations), options_(options), kept_(kept), quantity_(level) {}
 
-NewtonResult LevelWalk::start(double angular_frequency, double most) {
+NewtonResult AmplitudeContinuation::start(double angular_frequency, double most) {
   VectorXd z = stuck_vibration(equations_, angular_frequency);
   equations_.evaluate(z);
   const auto joints = equations_.structure().joints();
@@ -178,7 +178,7 @@ NewtonResult LevelWalk::start(double angular_frequency, double most) {
   return start_at(level, scaled(equations_, z, {quantity_, level}));
 }
 
-NewtonResult LevelWalk::start_at(double level, const VectorXd& z) {
+NewtonResult AmplitudeContinuation::start_at(double level, const VectorXd& z) {
   z_ = z;
   level_ = level;
   previous_level_ = 0.0;
@@ -189,7 +189,7 @@ NewtonResult LevelWalk::start_at(double level, const VectorXd& z) {
 }
 
 /// In proportion to the level at first, then linear through the last two.
-VectorXd LevelWalk::predicted(double level) const {
+VectorXd AmplitudeContinuation::predicted(double level) const {
   const Index n = equations_.balance_count();
   if (previous_level_ == 0.0) return equations_.enlarged(z_, level / level_);
   VectorXd z = z_ + (z_ - previous_) * ((level - level_) / (level_ - previous_level_));
@@ -198,7 +198,7 @@ VectorXd LevelWalk::predicted(double level) const {
   return z;
 }
 
-NewtonResult LevelWalk::go_to(double level) {
+NewtonResult AmplitudeContinuation::go_to(double level) {
   NewtonResult total{.converged = true, .residual = 0.0, .iterations = 0, .reason = ""};
   double ratio = kLargestRatio;
   while (level_ != level) {

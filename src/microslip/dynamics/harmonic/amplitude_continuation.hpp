@@ -11,11 +11,11 @@ namespace microslip {
 
 /// Solutions from one level of the force or the response to the next, one target kept. Internal to
 /// dynamics.
-class LevelWalk {
+class AmplitudeContinuation {
  public:
   /// @param level  the force amplitude or the response.
-  LevelWalk(BalanceEquations& equations, const NewtonOptions& options, const Target& kept,
-            Quantity level);
+  AmplitudeContinuation(BalanceEquations& equations, const NewtonOptions& options,
+                        const Target& kept, Quantity level);
 
   /// The first solution, at a level so low that the joints hardly slip, but none above `most`: from
   /// the linear vibration with stuck joints at ω.
@@ -44,13 +44,13 @@ class LevelWalk {
   Eigen::VectorXd previous_;
 };
 
-/// The vibration at ω and A = 1 N with all joints stuck: the linear solution. They get a little
-/// damping, for a resonance with the right phase where the structure has none.
+/// The vibration at ω and A = 1 N with all joints stuck: the linear solution. The joints get a
+/// little damping, for a resonance with the correct phase where the structure has none.
 [[nodiscard]] Eigen::VectorXd stuck_vibration(BalanceEquations& equations,
                                               double angular_frequency);
 
-/// A linear solution at another level. A joint that moves by the shortening alone, of which linear
-/// vibration knows nothing, gets what that makes.
+/// A linear solution at another level. A joint that moves by the shortening alone, which a linear
+/// vibration lacks, gets that displacement.
 [[nodiscard]] Eigen::VectorXd scaled(BalanceEquations& equations, Eigen::VectorXd z,
                                      const Target& level);
 

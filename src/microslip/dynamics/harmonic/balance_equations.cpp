@@ -55,7 +55,7 @@ double apparent_work(std::span<const Complex> force, std::span<const Complex> di
   return sum;
 }
 
-/// What modal forcing with ξ = 1/s feeds, J: Σ_i Σ_n n²π ω |q_i,n|².
+/// Input energy of modal forcing with ξ = 1/s, J: Σ_i Σ_n n²π ω |q_i,n|².
 double input_of_unit_excitation(const SteadyVibration& vibration) {
   double sum = 0.0;
   for (const auto& harmonics : vibration.modal) {
@@ -77,9 +77,9 @@ bool excites_odd_harmonics(const JointedStructure& structure) {
   return true;
 }
 
-/// Of where a joint rests under static loads. Rounding of that, 1e-16, is not to be told from its
-/// motion, and a resonance in a harmonic makes hundreds of it; with this measure Newton's method is
-/// content where a motion of 1e-5 of the rest is found to nine digits.
+/// Share of the displacement of a joint under static loads. Its rounding, 1e-16, cannot be
+/// distinguished from its motion, and a resonance in a harmonic amplifies it by hundreds; with this
+/// measure Newton's method ends where a motion of 1e-5 of the rest is found to nine digits.
 constexpr double kRestRounding = 1e-3;
 constexpr double kReactive = 1e-3;  // less work than this share of the apparent is a difference
 
@@ -92,7 +92,7 @@ BalanceEquations::BalanceEquations(const JointedStructure& structure, const Resp
       harmonics_(harmonics),
       forcing_(forcing),
       joint_force_(harmonics, samples),
-      side_(make_structure_side(structure, response.point, harmonics, forcing)),
+      operator_(make_structure_operator(structure, response.point, harmonics, forcing)),
       count_(static_cast<Index>(structure.joints().size()) * coefficient_count(harmonics)),
       displacement_(count_),
       tension_(count_),
@@ -114,7 +114,7 @@ BalanceEquations::BalanceEquations(const JointedStructure& structure, const Resp
   }
 }
 
-StructureSide::Input BalanceEquations::input() const {
+StructureOperator::Input BalanceEquations::input() const {
   return {displacement_, tension_, z_[count_], z_[count_ + 1], odd_wave_};
 }
 
@@ -142,7 +142,7 @@ void BalanceEquations::evaluate(const VectorXd& z) {
   const Index block = coefficient_count(harmonics_);
   for (std::size_t j = 0; j < cycles_.size(); ++j) {
     const Index first = static_cast<Index>(j) * block;
-    Eigen::MatrixXd& tangent = tangents_[j];  // filled by rows: it comes out transposed
+    Eigen::MatrixXd& tangent = tangents_[j];  // filled by rows: it is transposed
     cycles_[j] =
         joint_force_.evaluate(structure_.joints()[j].joint, to_span(displacement_, first, block),
                               {force_.data(), static_cast<std::size_t>(block)},
@@ -152,10 +152,10 @@ void BalanceEquations::evaluate(const VectorXd& z) {
     keep_branches(j);
     keep_turns(j);
   }
-  side_->evaluate(input(), values_);
+  operator_->evaluate(input(), values_);
 }
 
-/// Those of the motion that was evaluated last.
+/// Keeps the branches of the motion that was evaluated last.
 void BalanceEquations::keep_branches(std::size_t joint) {
   if (structure_.joints()[joint].joint.density().atoms().slip_force.empty()) return;
   Branches& branches = branches_[joint];
@@ -291,7 +291,7 @@ void BalanceEquations::add_linear_damping(std::size_t joint) {
 void BalanceEquations::differentiate() {
   if (differentiated_) return;
   differentiated_ = true;
-  side_->differentiate(input(), change_);
+  operator_->differentiate(input(), change_);
   const Index block = coefficient_count(harmonics_);
   gradient_.resize(count_ + 2);
   gradient_.head(count_) = change_.response_by_displacement;
@@ -313,7 +313,7 @@ const Eigen::MatrixXd& BalanceEquations::jacobian() {
   assembled_ = true;
   const auto size = static_cast<Index>(moving().size()) - 2;
   jacobian_.resize(size, size + 2);
-  jacobian_.leftCols(size) = side_->by_motion(tangents_);
+  jacobian_.leftCols(size) = operator_->by_motion(tangents_);
   const std::vector<Index> rows(moving().begin(), moving().end() - 2);
   jacobian_.col(size) = change_.by_frequency(rows);
   jacobian_.col(size + 1) = change_.by_force(rows);
@@ -326,20 +326,20 @@ const Eigen::RowVectorXcd& BalanceEquations::response_gradient() {
 }
 
 Eigen::MatrixXd BalanceEquations::damped_jacobian(double loss_factor) {
-  StructureSide::Input all = input();
+  StructureOperator::Input all = input();
   all.odd_wave = false;
-  side_->differentiate(all, change_);
+  operator_->differentiate(all, change_);
   differentiated_ = false;
   std::vector<MatrixXd> damped = tangents_;
   for (std::size_t j = 0; j < cycles_.size(); ++j) {
     const double damping = loss_factor * structure_.joints()[j].joint.stiffness();
-    for (std::size_t n = 1; n <= harmonics_; ++n) {  // as a loss beside F; transposed
+    for (std::size_t n = 1; n <= harmonics_; ++n) {  // as a loss in addition to F; transposed
       const Index real = coefficient_index(n);
       damped[j](real + 1, real) -= damping;
       damped[j](real, real + 1) += damping;
     }
   }
-  return side_->by_motion(damped);
+  return operator_->by_motion(damped);
 }
 
 double BalanceEquations::log_response() const {
@@ -401,8 +401,8 @@ VectorXd BalanceEquations::scale() const {
     scale.segment(first, block).setConstant(size);
     largest = std::max(largest, size);
   }
-  // Where the modes cancel at a joint it stands still while the structure moves: its own motion is
-  // then no measure of what rounding leaves.
+  // Where the modes cancel at a joint it is at rest while the structure moves: its own motion is
+  // then no measure of the rounding error.
   if (std::isfinite(std::abs(values_.response))) {
     largest = std::max(largest, std::abs(values_.response));
   }
@@ -461,7 +461,7 @@ SteadyVibration BalanceEquations::vibration() {
   result.force_amplitude = z_[count_ + 1];
   result.response = value(Quantity::kResponse);
   result.phase_lag = value(Quantity::kPhaseLag);
-  const Eigen::MatrixXcd q = side_->modal();
+  const Eigen::MatrixXcd q = operator_->modal();
   for (Index i = 0; i < q.rows(); ++i) {
     const Eigen::VectorXcd row = q.row(i);
     result.modal.emplace_back(row.begin(), row.end());
@@ -530,7 +530,7 @@ void BalanceEquations::add_energies(SteadyVibration& vibration) const {
 std::string energy_doubt(const SteadyVibration& vibration, double tolerance) {
   const double most = std::max(1e-8, 1e4 * tolerance);
   if (vibration.energy_imbalance <= most) return "";
-  return fmt::format("the energy balance misses by {:.1e} of the input; at most {:.1e} is rounding",
+  return fmt::format("the energy balance is off by {:.1e} of the input; at most {:.1e} is rounding",
                      vibration.energy_imbalance, most);
 }
 

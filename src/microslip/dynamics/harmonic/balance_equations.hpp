@@ -11,7 +11,7 @@
 #include "microslip/algebra/core.hpp"
 #include "microslip/dynamics/cycle/harmonic_force.hpp"
 #include "microslip/dynamics/harmonic/steady_vibration.hpp"
-#include "microslip/dynamics/harmonic/structure_side.hpp"
+#include "microslip/dynamics/harmonic/structure_operator.hpp"
 #include "microslip/dynamics/harmonic/target.hpp"
 #include "microslip/dynamics/structure/jointed_structure.hpp"
 
@@ -21,8 +21,8 @@ namespace microslip {
 /// to dynamics.
 struct Onset {
   std::size_t joint;
-  std::size_t rank;     ///< of the branch among the joint's, from the one that goes farthest
-  double displacement;  ///< how far a branch goes on which the atom is about to slip, m
+  std::size_t rank;     ///< rank of the branch among the joint's, from the longest
+  double displacement;  ///< extent of the branch on which the atom is about to slip, m
 };
 
 /// Where two maxima, or two minima, of a joint's motion are equal: the one that was an inner loop
@@ -31,8 +31,8 @@ struct Onset {
 struct Tie {
   std::size_t joint;
   double first;   ///< τ in the period, rad
-  double second;  ///< likewise
-  double size;    ///< of the motion, m: what makes a miss relative
+  double second;  ///< τ in the period, rad
+  double size;    ///< size of the motion, m, to which a miss is relative
 };
 
 /// The equations of harmonic balance, condensed onto the joints. Internal to dynamics.
@@ -52,15 +52,15 @@ class BalanceEquations {
   /// n + 2.
   [[nodiscard]] Eigen::Index unknown_count() const { return count_ + 2; }
 
-  /// Goes to z: all below is there. Derivatives, which are half of the work, are computed when they
-  /// are first asked for.
+  /// Evaluates the equations at z. Derivatives, which are half of the work, are computed when they
+  /// are first requested.
   void evaluate(const Eigen::VectorXd& z);
 
-  /// The unknowns that move, rising, ω and A among them. Where nothing but odd harmonics acts and
-  /// moves, even ones are 0 exactly and stay so, whatever the others do; else all.
+  /// The unknowns that move, rising, ω and A among them. With odd harmonics only in force and
+  /// motion, even ones are exactly 0 and remain so; otherwise all.
   [[nodiscard]] const std::vector<Eigen::Index>& moving() const { return odd_wave_ ? odd_ : all_; }
 
-  /// What is to be zero, m, n of them.
+  /// The residuals, m, n of them.
   [[nodiscard]] const Eigen::VectorXd& residual() const { return values_.residual; }
   /// The derivatives of those by the unknowns that move; no row of the others. Where all move, n ×
   /// (n + 2).
@@ -87,7 +87,7 @@ class BalanceEquations {
   [[nodiscard]] std::span<const double> reaches(std::size_t joint) const {
     return branches_[joint].reaches;
   }
-  /// How far z misses an onset, relative, and its derivatives; −1 and 0 where there is no such
+  /// Relative distance of z from an onset, and its derivatives; −1 and 0 where there is no such
   /// branch.
   [[nodiscard]] double miss(const Onset& onset) const;
   [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Onset& onset) const;
@@ -96,7 +96,7 @@ class BalanceEquations {
   /// How far z misses a tie, relative, and its derivatives; 1 and 0 where the two became one.
   [[nodiscard]] double miss(const Tie& tie) const;
   [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Tie& tie) const;
-  /// Of each joint, one after the other: how many branches its motion has, and on how many of them
+  /// For each joint in turn: the number of branches of its motion, and the number of them on which
   /// each atom slips, by rising slip force.
   [[nodiscard]] std::vector<std::size_t> slipping() const;
   /// Whether an atom starts or ceases to slip from one such state to the other. Inner loops that
@@ -108,13 +108,13 @@ class BalanceEquations {
   /// A quantity at z.
   [[nodiscard]] double value(Quantity quantity) const;
 
-  /// The size of the motion about the mean of the joint of each unknown, m, then ω and A: what
-  /// makes z relative. A joint that hardly moves counts as moving 1e-6 of the one that moves most,
-  /// or of the response point, and 1e-3 of where static loads hold it.
+  /// The size of the motion about the mean of the joint of each unknown, m, then ω and A: to which
+  /// z is relative. A joint that hardly moves counts as moving 1e-6 of the one that moves most, or
+  /// of the response point, and 1e-3 of its static displacement.
   [[nodiscard]] Eigen::VectorXd scale() const;
 
-  /// z of a vibration that is n times as large, as far as it is linear; the mean motion that static
-  /// loads make stays.
+  /// z of a vibration that is n times as large, as far as it is linear; the mean motion by static
+  /// loads is unchanged.
   [[nodiscard]] Eigen::VectorXd enlarged(Eigen::VectorXd z, double n) const;
 
   /// The mean motion of z becomes that of the static loads alone, where there are any.
@@ -133,7 +133,7 @@ class BalanceEquations {
   [[nodiscard]] Forcing forcing() const { return forcing_; }
 
  private:
-  [[nodiscard]] StructureSide::Input input() const;
+  [[nodiscard]] StructureOperator::Input input() const;
   [[nodiscard]] bool is_odd_wave() const;
   void differentiate();
   void keep_branches(std::size_t joint);
@@ -149,7 +149,7 @@ class BalanceEquations {
   std::size_t harmonics_;
   Forcing forcing_;
   HarmonicForce joint_force_;
-  std::unique_ptr<StructureSide> side_;
+  std::unique_ptr<StructureOperator> operator_;
   Eigen::Index count_;
   std::vector<double> resting_;  // u of each joint under static loads; empty without
   bool odd_forces_;              // no even harmonic acts, nor arises from odd ones
@@ -164,25 +164,25 @@ class BalanceEquations {
   std::vector<HarmonicForce::Cycle> cycles_;
   struct Branches {
     std::vector<double> reaches;
-    Eigen::MatrixXd gradients;  // a column a branch
+    Eigen::MatrixXd gradients;  // one column per branch
   };
   std::vector<Branches> branches_;  // of each joint; none without atoms
   struct Turns {
     std::vector<HarmonicForce::Turn> at;
-    Eigen::MatrixXd gradients;  // of the displacements, a column a turn
+    Eigen::MatrixXd gradients;  // of the displacements, one column per turn
   };
   std::vector<Turns> turns_;  // of each joint; none without inner loops
-  StructureSide::Values values_;
+  StructureOperator::Values values_;
   bool odd_wave_ = false;
   bool differentiated_ = false;
   bool assembled_ = false;  // the Jacobian
-  StructureSide::Derivatives change_;
+  StructureOperator::Derivatives change_;
   Eigen::MatrixXd jacobian_;
   Eigen::RowVectorXcd gradient_;
 };
 
-/// Why a solution is none although its equations are solved to the tolerance: energy appears or is
-/// lost in it. At a resonance that nothing damps rounding alone does that. Empty where
+/// Reason why a solution is rejected although its equations are solved to the tolerance: its energy
+/// does not balance. At an undamped resonance rounding alone does that. Empty where
 /// energy_imbalance ≤ 1e4 times the tolerance, at least 1e-8.
 [[nodiscard]] std::string energy_doubt(const SteadyVibration& vibration, double tolerance);
 

@@ -38,7 +38,7 @@ BalanceRun::Outcome BalanceRun::from_stuck(const Target& kept, const Target& lev
   VectorXd z = scaled(equations, stuck_vibration(equations, angular_frequency), level);
   NewtonResult direct = newton(equations, kept, level, newton_options, z);
   if (direct.converged) return {direct, z};
-  LevelWalk walk(equations, newton_options, kept, level.quantity);
+  AmplitudeContinuation walk(equations, newton_options, kept, level.quantity);
   NewtonResult result = walk.start(angular_frequency, level.value);
   if (result.converged) result = walk.go_to(level.value);
   return {result, walk.z()};
@@ -48,7 +48,7 @@ BalanceRun::Outcome BalanceRun::at_frequency(const Target& phase, const Target& 
                                              double stuck) {
   constexpr double kRatio = 1.2;
   constexpr int kMostSteps = 150;  // a factor 1e12
-  LevelWalk walk(equations, newton_options, phase, Quantity::kResponse);
+  AmplitudeContinuation walk(equations, newton_options, phase, Quantity::kResponse);
   NewtonResult result = walk.start(stuck, HUGE_VAL);
   const Index n = equations.balance_count();
   const double side = walk.z()[n] - frequency.value;
@@ -62,7 +62,7 @@ BalanceRun::Outcome BalanceRun::at_frequency(const Target& phase, const Target& 
   }
   result.converged = false;
   result.reason = fmt::format(
-      "no level up to {:.6g} of the response has this phase there; from "
+      "no response up to {:.6g} has this phase there; from "
       "{} it went to {}",
       walk.level(), describe({Quantity::kAngularFrequency, stuck}),
       describe({Quantity::kAngularFrequency, walk.z()[n]}));
@@ -80,7 +80,7 @@ BalanceRun::Outcome BalanceRun::solve(Target first, Target second, std::size_t m
   }
   throw InputError("targets", "force amplitude and response",
                    "leave two frequencies, below and above resonance, to choose from",
-                   "Give a vibration near the one that is wanted as the start.");
+                   "Give a vibration near the desired one as the start.");
 }
 
 double stuck_frequency(const JointedStructure& structure, std::size_t mode) {
@@ -89,7 +89,7 @@ double stuck_frequency(const JointedStructure& structure, std::size_t mode) {
           "must be below the number of modes");
   if (frequencies[mode] > 0.0) return frequencies[mode];
   throw InputError("mode", static_cast<double>(mode),
-                   "must be one that vibrates; this is a rigid body", "Take a higher mode.");
+                   "must be an elastic mode; this is a rigid-body mode", "Take a higher mode.");
 }
 
 ResponseCurve follow_from_stuck(const JointedStructure& structure, const ResponsePoint& response,

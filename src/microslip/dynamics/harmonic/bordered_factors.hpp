@@ -24,21 +24,21 @@ class BorderedFactors {
   /// M⁻¹ right, n + 2 each; 0 for what does not move.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
 
-  /// The sign of the determinant: of the curve, with the tangent as the last row. That of what does
-  /// not move would tell where a motion may lose its symmetry, which does not turn the curve round.
+  /// The sign of the determinant: of the curve, with the tangent as the last row. That of the part
+  /// at rest would show where a motion may lose its symmetry, where the curve does not turn back.
   [[nodiscard]] int determinant_sign() const;
 
-  /// Whether there are any, of so many unknowns that what they cost is worth being spared.
+  /// Whether there are factors of so many unknowns that they are worth reusing.
   [[nodiscard]] bool are_costly() const { return moving_.size() >= kMany; }
 
-  /// The direction in which neither the balance nor the first row changes where the equations are
-  /// now, beside where these factors were made: by refinement.
+  /// The direction in which neither the balance nor the first row changes at the present point,
+  /// near that of these factors: by refinement.
   struct Tangent {
     Eigen::VectorXd direction;  ///< in z, of any length, with b·direction > 0
     /// The sign of the determinant there with a last row v for which v·direction > 0.
     int determinant_sign;
   };
-  /// @param first  the row a there, by z itself. @return none where refinement does not get there.
+  /// @param first  the row a there, by z itself. @return none where refinement does not converge.
   [[nodiscard]] std::optional<Tangent> tangent(BalanceEquations& equations,
                                                const Eigen::RowVectorXd& first) const;
 

@@ -16,7 +16,7 @@
 namespace microslip {
 namespace {
 
-/// Of one code in hundreds the first tell as much as all, with their number.
+/// Keeps the first warnings of each code, with the number of the others.
 std::vector<Warning> few_of_each(std::vector<Warning> warnings) {
   constexpr std::size_t kFew = 3;
   std::vector<Warning> kept;
@@ -27,7 +27,7 @@ std::vector<Warning> few_of_each(std::vector<Warning> warnings) {
   for (const auto& [code, number] : count) {
     if (number <= kFew) continue;
     const auto last = std::ranges::find(kept.rbegin(), kept.rend(), code, &Warning::code);
-    last->text += fmt::format("; the same at {} more places", number - kFew);
+    last->text += fmt::format("; also at {} more places", number - kFew);
   }
   return kept;
 }
@@ -40,7 +40,7 @@ using Eigen::VectorXd;
 bool beyond(double along, double limit, double sign) { return sign * (along - limit) > 0.0; }
 
 constexpr double kSmallestLength = 1e-10;  // of a step, relative
-constexpr double kKinkLength = 1e-4;       // likewise: what still turns is a kink of another kind
+constexpr double kKinkLength = 1e-4;       // what still turns is another kink
 constexpr double kLeastCosine = 0.8;       // of the angles between two tangents and the chord
 constexpr double kLargestGap = 0.1;        // of a step and the mean of its slopes, relative
 constexpr int kQuickIterations = 5;        // Newton's: the step may grow
@@ -56,7 +56,7 @@ Continuation::Continuation(BalanceEquations& equations, ContinuationOptions opti
       from_(from),
       to_(to) {}
 
-/// Of z where the equations were evaluated.
+/// The scale of z where the equations were evaluated.
 VectorXd Continuation::scale() const {
   VectorXd scale = equations_.scale();
   if (along_ == Quantity::kAngularFrequency) {
@@ -65,8 +65,8 @@ VectorXd Continuation::scale() const {
   return scale;
 }
 
-/// The derivative of what changes along the curve by relative z: of ln of the response, of the
-/// others over their scale.
+/// The derivative of the quantity that changes along the curve by relative z: of ln of the
+/// response, of the others over their scale.
 RowVectorXd Continuation::along_row(const VectorXd& scale) const {
   const Index n = equations_.balance_count();
   if (along_ == Quantity::kResponse) {
@@ -145,8 +145,8 @@ Continuation::Point Continuation::point_at(const VectorXd& z, const VectorXd* di
   return point;
 }
 
-/// From the tangents of two points: how the tangent will go on to turn. Across it alone, so that
-/// the plane on which the next point is sought stays where it is.
+/// Extrapolates the rotation of the tangent from those of two points. Only across it, so that the
+/// plane on which the next point is sought is unchanged.
 void Continuation::add_curvature(const Point& before, double length, Point& point) {
   const VectorXd old = before.onward.tangent.cwiseProduct(before.scale).cwiseQuotient(point.scale);
   VectorXd& curvature = point.onward.curvature;
@@ -180,7 +180,7 @@ HermiteKnot Continuation::knot(const Point& point, const Ray& ray, const Point& 
   return {over.dot(point.z - origin.z), point.z, slope / over.dot(slope)};
 }
 
-/// By tangent and curvature.
+/// Prediction by tangent and curvature.
 VectorXd Continuation::predicted(const Point& from, double length) {
   const Ray& ray = from.onward;
   VectorXd z = from.z + length * from.scale.cwiseProduct(ray.tangent);
@@ -217,14 +217,14 @@ double Continuation::change(const Point& from, const VectorXd& z) const {
   return change;
 }
 
-/// A point whose energy balance is lost in rounding ends the curve.
+/// A point whose energy balance is below rounding ends the curve.
 bool Continuation::add(Point point) {
   equations_.evaluate(point.z);
   SteadyVibration vibration = equations_.vibration();
   const std::string doubt = energy_doubt(vibration, options_.newton.tolerance);
   if (doubt.empty()) {
     rows_.push_back({std::move(point), std::move(vibration)});
-    tell(rows_.back().point.along);
+    report_progress(rows_.back().point.along);
     return true;
   }
   stop(Stop::kDoubtful, fmt::format("{}, {}", doubt, place(point)));
@@ -244,8 +244,9 @@ void Continuation::stop(Stop why, const std::string& reason) {
   summary_.reason = reason;
 }
 
-/// In thousandths of the range; a curve that turns back does not take any back.
-void Continuation::tell(double along) {
+/// Reports the progress in thousandths of the range, which never falls, even where a curve turns
+/// back.
+void Continuation::report_progress(double along) {
   constexpr std::size_t kWhole = 1000;
   farthest_ = std::clamp((along - from_) / (to_ - from_), farthest_, 1.0);
   const auto done = static_cast<std::size_t>(farthest_ * static_cast<double>(kWhole));
@@ -280,8 +281,8 @@ void Continuation::hand_over(ResponseCurve& curve) {
   curve.warnings = few_of_each(std::move(warnings_));
 }
 
-/// What changes along the curve, exactly to where a solution has it but for rounding, and the
-/// equations there. A response is no unknown, and stays.
+/// Sets the quantity that changes along the curve to an exact value, where a solution has it up to
+/// rounding, and evaluates the equations there. A response is not an unknown and is left.
 void Continuation::put(double along, VectorXd& z) {
   const Index n = equations_.balance_count();
   if (along_ == Quantity::kAngularFrequency) z[n] = along;
@@ -297,17 +298,17 @@ void Continuation::follow(VectorXd z) {
   while (step(point, length)) {
     if (static_cast<int>(rows_.size()) >= options_.max_points) {
       stop(Stop::kLimit,
-           fmt::format("max_points = {} are used up {}", options_.max_points, place(point)));
+           fmt::format("max_points = {} reached {}", options_.max_points, place(point)));
       rows_.erase(rows_.begin() + options_.max_points, rows_.end());
       return;
     }
   }
-  if (summary_.converged()) tell(to_);
+  if (summary_.converged()) report_progress(to_);
 }
 
 /// The next point: a corner where one lies as near as that; else the step is halved until Newton's
-/// method converges, nothing changes by too much, no atom starts or ceases to slip on the way, and
-/// the tangent turns by so little that it cannot be the other way round.
+/// method converges, nothing changes by too much, no atom starts or ceases to slip in between, and
+/// the tangent turns by so little that its direction is certain.
 bool Continuation::find_next(const Point& point, double& length, Point& next) {
   const double longest = wanted_length(point);
   length = std::min(length, longest);
@@ -344,8 +345,8 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
   return false;
 }
 
-/// Whether `along` went as its slopes at both ends say. Both flanks of a narrow resonance look the
-/// same in all but that: a step from one to the other would turn the curve round.
+/// Whether `along` changed as its slopes at both ends indicate. Only that distinguishes the flanks
+/// of a narrow resonance: a step from one to the other would reverse the curve.
 bool Continuation::smooth(const Point& point, double length, const Point& next) const {
   const double slope = point.onward.along_slope;
   const double slope_there = next.arrival.along_slope;
@@ -357,7 +358,7 @@ bool Continuation::smooth(const Point& point, double length, const Point& next) 
   return std::abs(moved - expected) <= kLargestGap * size;
 }
 
-/// One more point, and the peak and the fold on the way to it; false where the curve ends.
+/// One more point, and the peak and the fold before it; false where the curve ends.
 bool Continuation::step(Point& point, double& length) {
   Point next;
   if (!find_next(point, length, next)) return false;

@@ -22,29 +22,28 @@ struct ContinuationOptions {
   double largest_change;  ///< of the response and of each joint's motion in a step, relative
   int least_points;
   int max_points;
-  double accuracy = 0.0;                 ///< of the polygon through the points; 0: as they come
+  double accuracy = 0.0;                 ///< of the polygon through the points; 0: none added
   std::vector<double> frequencies = {};  ///< ω of points to be there as well, rad/s
 };
 
 /// Follows the curve on which one target is kept, by pseudo-arclength continuation: a step along
-/// the tangent, bent as it was last, then Newton's method on the plane across the tangent. The
-/// length is measured in z over its scale at the present point, ω over the range where that is what
-/// changes.
+/// the tangent with the last curvature, then Newton's method on the plane across the tangent. The
+/// length is measured in z over its scale at the present point, ω over the range where ω changes.
 ///
 /// Where an atom starts or ceases to slip on a branch the derivatives jump and the curve has a
 /// corner: such a point is found by that condition, and has a tangent for each side. So it is where
-/// two extremes of a joint's motion become equal, which is looked at where the curve does not go on
-/// otherwise. Corners, peaks and folds become points, so that the curve is smooth between two of
-/// them; then points are added between until the polygon through them is as close to the curve as
-/// is wanted. Internal to dynamics.
+/// two extremes of a joint's motion become equal, which is checked where the curve does not
+/// continue otherwise. Corners, peaks and folds become points, so that the curve is smooth between
+/// two of them; then points are added between until the polygon through them is as close to the
+/// curve as required. Internal to dynamics.
 class Continuation {
  public:
   Continuation(BalanceEquations& equations, ContinuationOptions options, const Target& kept,
                Quantity along, double from, double to);
 
-  /// From the solution z at `from` to `to`, or to where it ends. Fills all of the curve but the
-  /// time; what was not found is named in the reason.
-  /// @throws Cancelled  where progress says so.
+  /// Follows the curve from the solution z at `from` to `to`, or to where it ends. Fills all of the
+  /// curve but the time; the reason names what was not found.
+  /// @throws Cancelled  as requested by progress.
   void run(const Eigen::VectorXd& z, ResponseCurve& curve, const Progress& progress);
 
  private:
@@ -55,7 +54,7 @@ class Continuation {
     double along_slope = 0.0;   ///< d along/ds
     double gain_slope = 0.0;    ///< d ln(response/force)/ds
     double change_rate = 0.0;   ///< relative change per length
-    /// Sign of det(derivatives; tangent), the same all along a curve; 0 where that does not hold.
+    /// Sign of det(derivatives; tangent), the same all along a curve; 0 where that is not so.
     int side = 0;
   };
 
@@ -118,7 +117,7 @@ class Continuation {
   bool lies_on_earlier_piece(const Point& point);
   void stop(Stop why, const std::string& reason);
   [[nodiscard]] std::string place(const Point& point) const;
-  void tell(double along);
+  void report_progress(double along);
 
   // Corners.
   void add_neighbours(Point& point) const;
@@ -173,7 +172,7 @@ class Continuation {
   double to_;
   double longest_ = HUGE_VAL;  ///< step that may be taken
   bool quick_ = false;         ///< the last point took few iterations
-  int retraced_ = 0;           ///< points in a row on pieces gone over before
+  int retraced_ = 0;           ///< consecutive points on pieces followed before
   Progress progress_;
   double farthest_ = 0.0;  ///< share of the range that the curve has reached, 1
   std::vector<Row> rows_;

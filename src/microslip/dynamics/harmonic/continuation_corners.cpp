@@ -10,11 +10,11 @@
 /// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion,
 /// or where two of its maxima become equal, so that inner and outer loop change places. The
 /// equations are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ with g
-/// the gradient of how far the branch goes, or of the difference of the maxima. The curve arrives
+/// the gradient of the extent of the branch, or of the difference of the maxima. The curve arrives
 /// by the null vector of the derivatives on the one side and leaves by that on the other side, with
 /// the sign that leads there: g grows along both, or falls along both. It may turn by any angle
-/// that way, also back in frequency.
-/// [Allgower & Georg, Numerical Continuation Methods, Springer 1990, ch. 12-14]
+/// there, also back in frequency. [Allgower & Georg, Numerical Continuation Methods, Springer 1990,
+/// ch. 12-14]
 
 namespace microslip {
 namespace {
@@ -59,8 +59,8 @@ void Continuation::add_neighbours(Point& point) const {
   std::ranges::sort(point.neighbours, {}, &Neighbour::distance);
 }
 
-/// The tangent behind a corner. Onsets that it holds beside the one may be passed along it alone:
-/// then once more with the derivatives there.
+/// The tangent behind a corner. Other onsets may be passed along it: then once more with the
+/// derivatives there.
 template <typename Condition>
 bool Continuation::leave(const Condition& at, double sign, double aside, Point& corner) {
   VectorXd tangent = corner.arrival.tangent;
@@ -145,8 +145,8 @@ bool Continuation::corner_between(const Point& point, double& length, Point& nex
   return turn(point, first->second, predicted(point, first->first * length), length, next);
 }
 
-/// The next tie, likewise. At most curves turn but little there, and steps go past it: this is for
-/// where they do not.
+/// Goes to the next tie, as to the next onset. Most curves turn little there, and steps pass it:
+/// this is for the others.
 bool Continuation::reach_tie(const Point& point, double& length, Point& next) {
   equations_.evaluate(point.z);
   const VectorXd rate = point.scale.cwiseProduct(point.onward.tangent);

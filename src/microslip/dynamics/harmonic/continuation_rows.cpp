@@ -12,7 +12,7 @@
 /// @file
 /// Points between those of the steps: so many that the polygon through all of them is close to the
 /// curve, and those at given frequencies. Peaks, folds and corners are points already; between two
-/// neighbours the curve is smooth and goes one way in frequency.
+/// neighbours the curve is smooth and monotone in frequency.
 
 namespace microslip {
 namespace {
@@ -28,9 +28,9 @@ constexpr double kLeastHarmonic = 1e-4;  // of the joint's motion: a smaller one
 constexpr double kFarApart = 0.01;  // in frequency, relative: more than most resonances are wide
 constexpr double kNoEnd = 1e-4;     // of a step: so far from its ends a point is another
 constexpr int kMostRetraced = 3;    // points in a row: one may be a near miss
-/// Of a point from a bridge, over its length: a first sieve, for what passes is held against the
-/// curve itself by Newton's method. An arc whose tangents make acos 0.8 with its chord, as far as a
-/// step turns, lies up to 0.017 of that beside the cubic.
+/// Distance of a point from a bridge, over its length: a first check, as those that pass are
+/// compared with the curve itself by Newton's method. An arc whose tangents make acos 0.8 with its
+/// chord, the most that a step turns, lies up to 0.017 of that beside the cubic.
 constexpr double kNearPiece = 0.02;
 constexpr double kSamePoint = 1e-6;  // relative
 constexpr int kWalkSteps = 8;        // between two points without a found one in the middle
@@ -69,9 +69,9 @@ struct Continuation::Bridge {
   [[nodiscard]] VectorXd refined(const VectorXd& z, const VectorXd& normal,
                                  const Around& around) const {
     constexpr double kMostOff = 0.1;      // of its length
-    constexpr double kLeastAlong = 0.5;   // likewise: else it is steep against the normal
-    constexpr double kLeastBeside = 0.2;  // of that: nearer points tell little more
-    constexpr double kMostBeside = 5.0;   // likewise: farther ones lead away
+    constexpr double kLeastAlong = 0.5;   // of its length: else it is steep against the normal
+    constexpr double kLeastBeside = 0.2;  // of that: nearer points add little
+    constexpr double kMostBeside = 5.0;   // of that: farther ones mislead
     std::vector<HermiteKnot> knots{knot(from, from.onward, from, normal),
                                    knot(to, to.arrival, from, normal)};
     const double along = knots.back().t;
@@ -115,7 +115,7 @@ struct Continuation::Bridge {
 
 namespace {
 
-/// Of a point from the chord between two others, at its frequency.
+/// Deviation of a point from the chord between two others, at its frequency.
 double beside_chord(const std::array<double, 2>& a, const std::array<double, 2>& b,
                     const std::array<double, 2>& point) {
   const double run = b[0] - a[0];
@@ -142,8 +142,8 @@ std::optional<Continuation::Row> Continuation::row_between(const Bridge& bridge,
   return row;
 }
 
-/// How far a harmonic of a joint's motion is from where it was expected, relative to the harmonic:
-/// on the way over a narrow superharmonic resonance by all of it, when little else shows that.
+/// Deviation of a harmonic of a joint's motion from its prediction, relative to the harmonic: over
+/// a narrow superharmonic resonance it is of order 1, when little else shows that.
 double Continuation::strayed(const Bridge& bridge, const VectorXd& z,
                              const VectorXd& expected) const {
   const auto joints = static_cast<Index>(equations_.structure().joints().size());
@@ -160,7 +160,7 @@ double Continuation::strayed(const Bridge& bridge, const VectorXd& z,
   return most;
 }
 
-/// Of two neighbours, the i-th point and the next.
+/// Points around two neighbours, the i-th point and the next.
 Continuation::Around Continuation::around(std::size_t i) const {
   Around around;
   if (i > 0 && !is_corner(rows_[i].point)) around.before = &rows_[i - 1].point;
@@ -193,7 +193,8 @@ std::optional<Continuation::Row> Continuation::between(const Row& from, const Ro
   return std::nullopt;
 }
 
-/// Whether a point lies on a piece between earlier points that was gone over the other way.
+/// Whether a point lies on a piece between earlier points that was followed in the opposite
+/// direction.
 bool Continuation::lies_on_earlier_piece(const Point& point) {
   for (std::size_t i = 0; i + 3 < rows_.size(); ++i) {
     const Point& from = rows_[i].point;
@@ -219,18 +220,17 @@ bool Continuation::lies_on_earlier_piece(const Point& point) {
   return false;
 }
 
-/// Ends a curve that was turned round and goes back over itself, without the points that it has
-/// already.
+/// Ends a curve that reversed and goes back over itself, without the repeated points.
 bool Continuation::retraces() {
   retraced_ = lies_on_earlier_piece(rows_.back().point) ? retraced_ + 1 : 0;
   if (retraced_ < kMostRetraced) return false;
   rows_.erase(rows_.end() - kMostRetraced, rows_.end());
-  stop(Stop::kNoProgress, fmt::format("the curve was turned round and goes back over itself, {}",
-                                      place(rows_.back().point)));
+  stop(Stop::kNoProgress,
+       fmt::format("the curve reversed and goes back over itself, {}", place(rows_.back().point)));
   return true;
 }
 
-/// How high the polygon may lie beside the curve between each point and the next: of the response
+/// Allowed deviation of the polygon from the curve between each point and the next: of the response
 /// by the top of the hill between two valleys, of the force by itself.
 std::vector<double> Continuation::allowed_deviations() const {
   std::vector<double> allowed;
@@ -260,8 +260,8 @@ void Continuation::draw_closely() {
     }
     warnings_.push_back(
         {"not_drawn_closely",
-         fmt::format("max_points = {} are used up {}: the polygon through the points that follow "
-                     "may lie farther beside the curve than {:g} of its peak",
+         fmt::format("max_points = {} reached {}: beyond it the interpolation error of the polygon "
+                     "through the points may exceed {:g} of the peak",
                      options_.max_points, place(rows_[i].point), options_.accuracy)});
     rows.insert(rows.end(), rows_.begin() + static_cast<std::ptrdiff_t>(i) + 1, rows_.end());
     break;
@@ -286,7 +286,7 @@ void Continuation::add_left_out() {
       equations_.evaluate(point.z);
       SteadyVibration vibration = equations_.vibration();
       rows.push_back({std::move(point), std::move(vibration)});
-      tell(rows.back().point.along);
+      report_progress(rows.back().point.along);
     }
   }
   rows_ = std::move(rows);
@@ -324,15 +324,15 @@ std::array<double, 2> Continuation::mark(const Point& point) const {
 }
 
 /// Whether a solved point between two others shows that the polygon through these is too coarse: it
-/// lies too far beside the chord, or away from where the tangents lead.
+/// lies too far from the chord, or from the prediction by the tangents.
 bool Continuation::strays(const Row& from, const Row& to, const Row& row, double allowed) const {
   return beside_chord(mark(from.point), mark(to.point), mark(row.point)) > allowed ||
          row.strayed > kMostStrayed;
 }
 
 /// Whether more points are needed between two neighbours: the curve by their tangents lies too far
-/// beside the chord, or, where they are far apart, points at the thirds stray. On a narrow
-/// superharmonic resonance that lies between, all else may agree by chance.
+/// from the chord, or, where they are far apart, points at the thirds deviate. With a narrow
+/// superharmonic resonance in between, all else may agree by chance.
 bool Continuation::is_coarse(const Row& from, const Row& to, const Around& around, double allowed) {
   const Index n = equations_.balance_count();
   const Bridge bridge(from.point, to.point);
@@ -367,20 +367,20 @@ void Continuation::refine(const Row& from, const Row& to, const Around& around, 
     refine(from, *middle, first, allowed, depth - 1, rows);
   }
   rows.push_back(*middle);
-  tell(middle->point.along);
+  report_progress(middle->point.along);
   if (far || (deeper && is_coarse(*middle, to, second, allowed))) {
     refine(*middle, to, second, allowed, depth - 1, rows);
   }
 }
 
-/// The same between points of shorter steps, where none was found in the middle.
+/// Refines between points of shorter steps, where none was found in the middle.
 void Continuation::refine_steps(const Row& from, const Row& to, double allowed, int depth,
                                 std::vector<Row>& rows) {
   const std::vector<Row> steps = depth > 1 ? walk(from, to) : std::vector<Row>{};
   if (steps.empty()) {
     warnings_.push_back({"not_drawn_closely",
                          fmt::format("no point was found between those {} and {}: the polygon may "
-                                     "lie beside the curve there",
+                                     "miss the curve there",
                                      place(from.point), place(to.point))});
     return;
   }
@@ -389,7 +389,7 @@ void Continuation::refine_steps(const Row& from, const Row& to, double allowed, 
            std::max(depth - 3, 1), rows);
     if (i == steps.size()) break;
     rows.push_back(steps[i]);
-    tell(steps[i].point.along);
+    report_progress(steps[i].point.along);
   }
 }
 
@@ -431,11 +431,11 @@ void Continuation::add_frequencies() {
       std::optional<Row> row = at_frequency(rows.back(), rows_[i + 1], frequency);
       if (row) {
         rows.push_back(std::move(*row));
-        tell(rows.back().point.along);
+        report_progress(rows.back().point.along);
         continue;
       }
       warnings_.push_back(
-          {"frequency_not_found", fmt::format("no point was found at the wanted {}",
+          {"frequency_not_found", fmt::format("no point was found at the requested {}",
                                               describe({Quantity::kAngularFrequency, frequency}))});
     }
   }

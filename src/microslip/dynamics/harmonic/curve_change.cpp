@@ -11,9 +11,9 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kMostPeaks = 20;
-constexpr double kSeenShare = 1e-3;  // of the energy lost: what less means nobody sees
+constexpr double kSeenShare = 1e-3;  // of the energy lost: less is negligible
 
-/// In resonance a lag says better than a frequency where a vibration is, which may move.
+/// In resonance a lag locates a vibration better than a frequency, which may shift.
 bool in_resonance(const SteadyVibration& point) { return std::sin(point.phase_lag) > 0.5; }
 
 /// |F_n|/|F_1| of the two highest harmonics, of which symmetry may leave one out; largest of the
@@ -44,7 +44,7 @@ class Selection {
     if (!holds(i)) points_.push_back(i);
   }
 
-  /// Not where the curve turns back: what is kept does not determine such a point.
+  /// Not where the curve turns back: the constant quantity does not determine such a point.
   template <typename Value>
   void add_largest(const Value& value) {
     std::optional<std::size_t> largest;

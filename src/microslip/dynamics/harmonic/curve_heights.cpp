@@ -17,7 +17,7 @@ Value cubic(Value a, Value da, Value b, Value db, double t) {
          db * (t * t * r);
 }
 
-/// Of the parabola through three points, at the middle one.
+/// Slope of the parabola through three points, at the middle one.
 template <typename Value>
 Value middle_slope(double before, Value rise_before, double after, Value rise_after) {
   return (rise_before / before * after + rise_after / after * before) / (before + after);

@@ -15,8 +15,8 @@ namespace microslip {
 /// @param kept   one of the two.
 [[nodiscard]] double height_of(const SteadyVibration& point, Quantity kept);
 
-/// A curve over the frequency between its points: how high it is at any frequency, once for each
-/// branch that it has there.
+/// A curve over the frequency between its points: its height at any frequency, once for each branch
+/// there.
 ///
 /// With h the height and
 /// φ its phase lag, ω and h e^{−iφ} are cubics of the length of the polygon between two points
@@ -26,11 +26,11 @@ namespace microslip {
 /// 0 the heights are within some 1e-3 of the curve's.
 class CurveHeights {
  public:
-  /// @param curve  over the frequency; a point at least. It may go either way.
+  /// @param curve  over the frequency; a point at least, in either direction.
   /// @param kept   the force amplitude or the response.
   CurveHeights(const ResponseCurve& curve, Quantity kept);
 
-  /// Rising; empty where the curve does not get.
+  /// Heights, rising; empty outside of the curve.
   /// @param angular_frequency  ω, rad/s.
   [[nodiscard]] std::vector<double> at(double angular_frequency) const;
 

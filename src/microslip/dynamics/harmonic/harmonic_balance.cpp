@@ -44,8 +44,9 @@ void check_options(const HarmonicBalanceOptions& o, const JointedStructure& stru
           "must be 0 or from 1e-6 to 1");
 }
 
-/// Points of a curve that are asked for. Each is a vibration, and about twice as much again as a
-/// step of the continuation and as a line of a table: measured with one and two modes and joints.
+/// Checks the number of requested points of a curve. Each takes the memory of a vibration, and
+/// about twice that as a step of the continuation and as a line of a table: measured with one and
+/// two modes and joints.
 void check_points(const char* what, std::size_t count, const JointedStructure& structure,
                   const HarmonicBalanceOptions& options) {
   constexpr double kTimesKept = 3.0;
@@ -63,7 +64,7 @@ void check_response(const JointedStructure& structure, const ResponsePoint& resp
   if (std::ranges::any_of(shape, [](double value) { return value != 0.0; })) return;
   throw InputError("response point", fmt::format("'{}'", response.point),
                    "must move in at least one mode: its shape is 0 in all",
-                   "Take a point that is no node of the modes.");
+                   "Take a point that is not a node of the modes.");
 }
 
 void check_target(const Target& target) {
@@ -87,14 +88,14 @@ void check_modal_targets(const Target& first, const Target& second) {
   if (first.quantity == Quantity::kPhaseLag || second.quantity == Quantity::kPhaseLag) return;
   throw InputError("targets",
                    fmt::format("{} and {}", to_string(first.quantity), to_string(second.quantity)),
-                   "must hold phase resonance with modal forcing");
+                   "must include phase resonance with modal forcing");
 }
 
 void check_targets(const Target& first, const Target& second, Forcing forcing) {
   check_target(first);
   check_target(second);
   if (first.quantity == second.quantity) {
-    throw InputError("second target", to_string(second.quantity), "must be another than the first");
+    throw InputError("second target", to_string(second.quantity), "must differ from the first");
   }
   if (forcing == Forcing::kModal) check_modal_targets(first, second);
 }
@@ -103,7 +104,7 @@ double product(const std::vector<double>& one, std::span<const double> other) {
   return std::inner_product(one.begin(), one.end(), other.begin(), 0.0);
 }
 
-/// Modal forcing reaches a mode by what its joints do, and tells its size by the response.
+/// Modal forcing determines a mode by the motion of its joints, and its size by the response.
 void check_modal_mode(const JointedStructure& structure, const ResponsePoint& response,
                       std::size_t mode, double stuck_frequency) {
   constexpr double kNothing = 1e-9;  // of a shape
@@ -148,7 +149,7 @@ VibrationResult to_result(BalanceRun& run, const BalanceRun::Outcome& outcome, c
   if (!converged) {
     const bool of_base = run.equations.structure().base_driven();
     s.reason += fmt::format(
-        "; asked for {} and {}, got to {:.9g} Hz, {}, response {:.6g}", describe(first, of_base),
+        "; requested {} and {}, reached {:.9g} Hz, {}, response {:.6g}", describe(first, of_base),
         describe(second, of_base), result.vibration.frequency(),
         drive_text(result.vibration.force_amplitude, of_base), result.vibration.response);
   }
@@ -210,7 +211,7 @@ ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double
   }
   check_targets(kept, {along, from}, options_.forcing);
   check_target({along, to});
-  require(from != to, "end of the range", to, "must be another than its start");
+  require(from != to, "end of the range", to, "must differ from its start");
   check_points("frequencies of `at`", options_.frequencies.size(), structure_, options_);
   ResponseCurve curve =
       follow_from_stuck(structure_, response_, options_, kept, along, from, to, mode, progress);
@@ -240,7 +241,8 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
   ResponseCurve curve;
   Summary& s = curve.summary;
   s.method = fmt::format("{}, backbone", kMethod);
-  LevelWalk walk(run.equations, run.newton_options, kPhaseResonance, Quantity::kResponse);
+  AmplitudeContinuation walk(run.equations, run.newton_options, kPhaseResonance,
+                             Quantity::kResponse);
   const Target first{Quantity::kResponse, responses.front()};
   const BalanceRun::Outcome begin =
       run.from_stuck(kPhaseResonance, first, stuck_frequency(structure_, mode));
@@ -286,7 +288,7 @@ ResponseCurve HarmonicBalance::resonances(std::span<const double> responses, std
     check_target({Quantity::kResponse, responses[i]});
     if (i == 0 || responses[i] > responses[i - 1]) continue;
     throw InputError(fmt::format("response[{}]", i), responses[i],
-                     fmt::format("must be above the one before, {}", responses[i - 1]));
+                     fmt::format("must be above the previous one, {}", responses[i - 1]));
   }
   const double stuck = stuck_frequency(structure_, mode);
   if (options_.forcing == Forcing::kModal) check_modal_mode(structure_, response_, mode, stuck);

@@ -40,41 +40,41 @@ class HarmonicBalance {
   /// The options, as given.
   [[nodiscard]] const HarmonicBalanceOptions& options() const { return options_; }
 
-  /// The vibration with two quantities as given, for instance frequency and force; phase resonance
-  /// and response; phase resonance and frequency. From the linear solution with all joints stuck,
-  /// and where Newton's method does not get there, through growing levels from where they are.
+  /// The vibration with two given quantities, for instance frequency and force; phase resonance and
+  /// response; phase resonance and frequency. From the linear solution with all joints stuck, and
+  /// where Newton's method does not converge, by amplitude continuation from there.
   /// @param first   one of them, with its value.
   /// @param second  the other.
-  /// @param mode    where no frequency is given: that of the stuck structure (see
-  ///                JointedStructure::stuck_frequencies) at whose resonance to look, from 0.
+  /// @param mode    where no frequency is given: the mode of the stuck structure (see
+  ///                JointedStructure::stuck_frequencies) whose resonance is sought, from 0.
   /// @throws InputError  for targets out of their range or twice the same; force and response
-  ///                     without a start, which leave two frequencies to choose from.
+  ///                     without a start, which leave a choice of two frequencies.
   [[nodiscard]] VibrationResult solve(const Target& first, const Target& second,
                                       std::size_t mode = 0) const;
 
-  /// The same from a vibration near it, of this structure.
+  /// The vibration with two given quantities, from a vibration near it, of this structure.
   /// @throws InputError  also where the number of harmonics or joints of `start` is another.
   [[nodiscard]] VibrationResult solve(const Target& first, const Target& second,
                                       const SteadyVibration& start) const;
 
   /// The curve of vibrations that keep one target while another quantity, not the phase, goes from
-  /// one value to another, either way round, with both ends on it.
+  /// one value to another, up or down, with both ends on it.
   ///
   /// The length of a step is such that neither the response nor the motion of a joint changes by
   /// more than `largest_change`; it is halved where Newton's method does not converge or where the
   /// curve bends too sharply for it, as at a narrow superharmonic resonance. Where an atom of a
   /// density starts to slip the curve has a corner, which becomes a point; so do peaks and points
-  /// where it turns back, and over the frequency so many others as `accuracy` wants. The summary
-  /// tells why the curve ended and where; a curve that did not reach its end, or on which the
-  /// energy balance got lost in rounding (an undamped mode at its pole), is not converged, and
-  /// holds the points up to there.
+  /// where it turns back, and over the frequency as many others as `accuracy` requires. The summary
+  /// states why the curve ended and where; a curve that did not reach its end, or whose energy
+  /// balance is below rounding (an undamped mode at its pole), is not converged, and has the points
+  /// up to there.
   /// @param kept      the target, with its value.
-  /// @param along     what changes.
+  /// @param along     the quantity that changes.
   /// @param from, to  its first and its last value, in its unit; not the same.
   /// @param mode      as in solve().
-  /// @param progress  told once for each point when it is found, in thousandths of the range, how
-  ///                  far the curve has got, never less than before; once more, of the whole, where
-  ///                  it gets to its end, after which only points between others follow.
+  /// @param progress  called for each point when it is found, with the part of the curve in
+  ///                  thousandths of the range, which never falls; once more, with the whole, at
+  ///                  its end, after which only points between others follow.
   /// @throws InputError  for values out of their range, or no range.
   /// @throws Cancelled   where progress says so.
   [[nodiscard]] ResponseCurve follow(const Target& kept, Quantity along, double from, double to,
@@ -97,23 +97,23 @@ class HarmonicBalance {
   /// The vibrations at phase resonance at each of these responses, in this order.
   /// @param responses  > 0, at least one, in the kind of the response point.
   /// @param mode       as in solve().
-  /// @param progress   told after each; a long backbone may be cancelled (Cancelled).
+  /// @param progress   called after each; may cancel (Cancelled).
   [[nodiscard]] ResponseCurve backbone(std::span<const double> responses, std::size_t mode = 0,
                                        const Progress& progress = {}) const;
 
   /// The curve of phase resonance over the response, followed from where all joints stick, round
-  /// the folds where it turns back: then a response is met more than once, and the rows are those
-  /// of the curve in its order, folds among them (turning_points). With Forcing::kModal the
-  /// nonlinear mode, which exists whatever is driven.
+  /// the folds where it turns back: then a response may occur more than once, and the rows are
+  /// those of the curve in its order, folds among them (turning_points). With Forcing::kModal the
+  /// nonlinear mode, which exists whatever the excitation.
   ///
   /// With a force at a point phase resonance may begin or end: the summary is not converged then
-  /// and says from where to where it exists and why no further, and the curve holds all that there
-  /// is.
+  /// and states the range where it exists and why it ends, and the curve has all points found.
   /// @param responses  > 0, rising, at least one, in the kind of the response point.
   /// @param mode       as in solve().
-  /// @param progress   told after each; may cancel (Cancelled).
-  /// @throws InputError  also where modal forcing is asked of a mode that no joint takes part in,
-  ///                     or that does not move the response point: it is linear, or not to be seen.
+  /// @param progress   called after each; may cancel (Cancelled).
+  /// @throws InputError  also where modal forcing is requested for a mode in which no joint takes
+  ///                     part, or which does not move the response point: it is linear, or not
+  ///                     observable.
   [[nodiscard]] ResponseCurve resonances(std::span<const double> responses, std::size_t mode = 0,
                                          const Progress& progress = {}) const;
 

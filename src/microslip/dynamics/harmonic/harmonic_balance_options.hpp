@@ -25,20 +25,20 @@ struct HarmonicBalanceOptions {
   /// Change of the response and of each joint's motion from one point of a curve to the next,
   /// relative, 1; in (0, 1]. 0.2 draws the half-width of a resonance with some ten points.
   double largest_change = 0.2;
-  /// Points of a curve at least, over the range if nothing happens there; ≥ 1.
+  /// Fewest points of a curve over the range without resonances; ≥ 1.
   int least_points = 20;
   /// Points of a curve at most; ≥ 2.
   int max_points = 5000;
-  /// Of a curve over the frequency: how far the polygon through its points may lie beside it at a
-  /// frequency, relative to the peak of the hill that it is on, 1: of the response, or, where that
-  /// is kept, of the force, relative to the force there. Points are added until those between them
+  /// Largest interpolation error of the polygon through the points of a curve over the frequency,
+  /// at a frequency, relative to the peak of its hill, 1: of the response, or, where that is
+  /// constant, of the force, relative to the force there. Points are added until those between them
   /// agree; 0: none are added.
   double accuracy = 0.002;
   /// Where a curve over the frequency is to have points as well, ω, rad/s; on each of its branches
   /// there.
   std::vector<double> frequencies = {};
-  /// What keeps the vibration up. Modal forcing has nonlinear modes alone: of solve() it takes
-  /// phase resonance, which then only says when the time begins, with a response or a frequency.
+  /// Forcing of the vibration. Modal forcing gives nonlinear modes only: in solve() it takes phase
+  /// resonance, which then only sets the zero of time, with a response or a frequency.
   Forcing forcing = Forcing::kExcitation;
 };
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double kOrthogonal = 1e-3;  // of two shapes, relative: files may have four digits
 constexpr double kLargeResidual =
     100.0;                          // over what vibrations have: a local spring may be far softer
-constexpr double kFirst = 0.75;     // of i′: between bars held at one end, ½, and free ones, 1
+constexpr double kFirst = 0.75;     // of i′: between bars fixed at one end, ½, and free ones, 1
 constexpr double kFlattest = 0.75;  // p: plates have 1, beams 2
 constexpr double kSteepest = 3.0;
 constexpr double kConvergent = 0.5;  // of 2p − s − 1: at 0 no number of modes would be enough
@@ -87,8 +87,8 @@ std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share
 
 Warning not_estimated(const std::string& why, const std::string& remedy) {
   return {"modes_missing",
-          fmt::format("what modes beyond those of the model change could not be estimated, which "
-                      "may be much: {}. {}",
+          fmt::format("the effect of modes beyond those of the model could not be estimated; it "
+                      "may be large: {}. {}",
                       why, remedy)};
 }
 
@@ -139,8 +139,8 @@ std::optional<Warning> missing_modes_warning(const std::vector<MissingCompliance
   if (most == missing.end() || most->over_joint() <= kMissingModesAllowed) return std::nullopt;
   return Warning{
       "modes_missing",
-      fmt::format("modes beyond those of the model may add {:.2g} m/N to the {:.4g} m/N by which "
-                  "the structure gives way at '{}': {} of 1/k of the joint (estimated by the last "
+      fmt::format("modes beyond those of the model may add {:.2g} m/N to the static compliance of "
+                  "{:.4g} m/N at '{}': {} of 1/k of the joint (estimated from the last "
                   "modes). {}",
                   most->missing, most->in_modes, most->joint, percent(most->over_joint()), remedy)};
 }
@@ -154,8 +154,8 @@ std::optional<Warning> large_residual_warning(const JointedStructure& structure)
     const double residual = static_compliance(modes.subspan(count), shape.subspan(count));
     if (residual <= kLargeResidual * vibrating) continue;
     return Warning{"residual_large",
-                   fmt::format("what the modes leave out gives way by {:.4g} m/N at '{}', they "
-                               "themselves by {:.4g} m/N: check the unit, and whether the modes "
+                   fmt::format("the residual compliance is {:.4g} m/N at '{}', that of the modes "
+                               "{:.4g} m/N: check the unit, and whether the modes "
                                "were subtracted",
                                residual, joint.name, vibrating)};
   }
@@ -165,7 +165,7 @@ std::optional<Warning> large_residual_warning(const JointedStructure& structure)
 std::optional<Warning> changed_curve_warning(const CurveChange& change, const std::string& remedy) {
   if (change.unsolved) return not_estimated(*change.unsolved, remedy);
   if (change.frequency > kMissingModesFar) {
-    return not_estimated("with an estimate of them the resonance is another", remedy);
+    return not_estimated("with an estimate of them the resonance is a different one", remedy);
   }
   if (change.level <= kMissingModesAllowed && change.dissipation <= kMissingModesAllowed &&
       change.frequency <= kMissingModesDetune) {
@@ -173,7 +173,7 @@ std::optional<Warning> changed_curve_warning(const CurveChange& change, const st
   }
   return Warning{"modes_missing",
                  fmt::format("modes beyond those of the model may change the level by {}, the "
-                             "frequency by {} and the dissipation of a joint by {} (estimated by "
+                             "frequency by {} and the dissipation of a joint by {} (estimated from "
                              "the last modes). {}",
                              percent(change.level), percent(change.frequency),
                              percent(change.dissipation), remedy)};

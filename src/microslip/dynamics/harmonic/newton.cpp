@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 constexpr double kRounding = 1e-10;     // residuals this small may be the rounding of the equations
 constexpr double kLargestChange = 0.3;  // of ω in one step, relative
 
-/// One of the two equations beside the balance.
+/// One of the two equations in addition to the balance.
 struct Condition {
   std::function<double(const VectorXd& z)> miss;
   std::function<Eigen::RowVectorXd()> gradient;
@@ -35,7 +35,7 @@ class Newton {
     NewtonResult result = iterate(options, z);
     if (result.converged && !(z[equations_.balance_count() + 1] > 0.0)) {
       result.converged = false;
-      result.reason = "the force amplitude came out negative";
+      result.reason = "the force amplitude became negative";
     }
     if (!result.converged) {
       z = best_;
@@ -53,7 +53,7 @@ class Newton {
     for (result.iterations = 1; result.iterations < options.max_iterations; ++result.iterations) {
       if (residual == HUGE_VAL) {
         result.reason =
-            "the equations are not finite: an undamped mode at its pole, held by no joint";
+            "the equations are not finite: an undamped mode at its pole, restrained by no joint";
         return result;
       }
       result.converged = residual <= options.tolerance;
@@ -81,7 +81,7 @@ class Newton {
     }
     result.converged = residual <= options.tolerance;
     result.reason =
-        result.converged ? "residual below the tolerance" : "the iterations allowed were used up";
+        result.converged ? "residual below the tolerance" : "the iteration limit was reached";
     return result;
   }
 
@@ -96,9 +96,9 @@ class Newton {
     return residual_.allFinite() ? residual_.cwiseAbs().maxCoeff() : HUGE_VAL;
   }
 
-  /// Whether the factors of the last step get from its residual to the tolerance, too: a residual
-  /// falls by the same factor from step to step, or, of the first step, which Newton's method makes
-  /// fall faster, by less.
+  /// Whether the factors of the last step also suffice from its residual to the tolerance: a
+  /// residual falls by the same factor from step to step, or, of the first step, which Newton's
+  /// method makes fall faster, by less.
   static bool serves_on(double before, double after, double tolerance) {
     constexpr double kMostSteps = 4.0;
     return after > 0.0 && std::log(tolerance / after) >= kMostSteps * std::log(after / before);
@@ -119,10 +119,10 @@ class Newton {
     return factors_.solve(-residual_);
   }
 
-  /// Takes the step or as much of it as does not make things worse. What is
-  /// worse the next step would tell, by the matrix of this one (natural monotonicity test
-  /// [Deuflhard]), and not the residual: close to a resonance a frequency that is missed by little
-  /// turns the phase of all that moves, and the residual grows on the way there.
+  /// Takes the step, or the part of it that does not increase the error. The error is judged by the
+  /// next step with the matrix of this one (natural monotonicity test [Deuflhard]), and not by the
+  /// residual: close to a resonance a small error of frequency turns the phase of all motion, and
+  /// the residual grows towards the solution.
   double advance(const VectorXd& step, double residual, VectorXd& z, int& evaluations) {
     const Index frequency = equations_.balance_count();
     const VectorXd change = scale_of_factors_.cwiseProduct(step);

@@ -24,7 +24,7 @@ using std::numbers::pi;
 
 constexpr double kHertz = 1.0 / (2.0 * pi);
 constexpr double kAlikeResponse = 1e-9;  // responses, relative
-constexpr std::size_t kMostInVain = 12;  // responses looked at without finding a resonance
+constexpr std::size_t kMostInVain = 12;  // responses without a phase resonance
 constexpr double kHalfWidths = 3.0;      // of the mode: so near to it lies its phase resonance
 constexpr double kLeastWidth = 0.01;     // of the frequency
 constexpr double kLargestWidth = 0.3;
@@ -126,7 +126,7 @@ void ResonanceCurve::begin(double lowest) {
   reached_ = highest_of(pieces_.back()).response;
 }
 
-/// Of the mode of this frequency, and not an antiresonance.
+/// Whether a place is a resonance of the mode of this frequency, not an antiresonance.
 bool ResonanceCurve::is_resonance(const Place& place, double frequency, double damping) {
   BalanceEquations& equations = tracer_.equations();
   equations.evaluate(place.z);
@@ -134,7 +134,7 @@ bool ResonanceCurve::is_resonance(const Place& place, double frequency, double d
   return offset <= width_about(damping) && lag_rise(equations) > 0.0;
 }
 
-/// At the responses above what was reached, until there is no more.
+/// Searches the responses above the highest reached, until there is no more.
 void ResonanceCurve::find_more(std::span<const double> responses) {
   const auto next_above = [&] {
     return std::ranges::upper_bound(responses, reached_ * (1.0 + kAlikeResponse));
@@ -155,7 +155,7 @@ void ResonanceCurve::find_more(std::span<const double> responses) {
     reached_ = response;
     const auto left = static_cast<std::size_t>(responses.end() - next);
     if (left == 1) return;
-    const std::size_t step = std::min(stride, left - 1);  // the last is looked at
+    const std::size_t step = std::min(stride, left - 1);  // the last is examined
     next += static_cast<std::ptrdiff_t>(step);
   }
 }
@@ -270,7 +270,7 @@ std::string ResonanceCurve::at_response(double response) const {
   return "at the response " + text_of(response);
 }
 
-/// Why a piece ends, and what there is where there is none.
+/// Text on why pieces end, and on the responses without phase resonance.
 std::string ResonanceCurve::why_not() const {
   std::string text;
   for (const Piece& piece : pieces_) {
@@ -278,14 +278,13 @@ std::string ResonanceCurve::why_not() const {
     const Place& end = piece.places.back();
     text += fmt::format("; {}, {:.6g} Hz, ", at_response(end.response), hertz_of(end));
     if (!piece.returned) {
-      text += "it was lost: " + piece.reason;
+      text += "tracking failed: " + piece.reason;
     } else if (const Piece* next = piece_with(end.response)) {
-      text += fmt::format("it turns back for good and jumps to {:.6g} Hz",
-                          hertz_of(next->places.front()));
+      text += fmt::format("it turns back and jumps to {:.6g} Hz", hertz_of(next->places.front()));
     } else {
       text +=
-          "it turns back for good: resonance and antiresonance meet, beyond it the other modes "
-          "rule the phase";
+          "it turns back: resonance and antiresonance meet, beyond it the other modes "
+          "determine the phase";
     }
   }
   std::size_t without = 0;
@@ -295,8 +294,8 @@ std::string ResonanceCurve::why_not() const {
     if (++without == 1) evidence = at.evidence;
   }
   if (without == 0) return text;
-  return text +
-         fmt::format("; {} of {} responses were looked at in vain: {}", without, count_, evidence);
+  return text + fmt::format("; no phase resonance was found at {} of {} responses: {}", without,
+                            count_, evidence);
 }
 
 std::string ResonanceCurve::what_there_is() const {
@@ -329,8 +328,8 @@ void ResonanceCurve::conclude(std::span<const double> responses, ResponseCurve& 
     s.reason = "all responses reached";
     if (pieces_.size() == 1 && !curve.turning_points.empty()) {
       s.reason += fmt::format(
-          "; phase resonance turns back {} times, and has responses in between "
-          "more than once",
+          "; phase resonance turns back {} times, so that responses in between "
+          "occur more than once",
           curve.turning_points.size());
     }
     return;
@@ -344,7 +343,8 @@ void ResonanceCurve::conclude(std::span<const double> responses, ResponseCurve& 
   }
   s.reason = what_there_is() + why_not();
   if (missing > 0) s.reason += fmt::format("; {} of {} responses are missing", missing, count_);
-  s.reason += "; drive or observe another point, or use modal forcing, which always has the mode";
+  s.reason +=
+      "; drive or observe another point, or use modal forcing, where the mode always exists";
 }
 
 }  // namespace microslip

@@ -31,14 +31,14 @@ class ResonanceCurve {
   using Place = ResonanceTracer::Place;
   using Piece = ResonanceTracer::Piece;
 
-  /// Where the mode by itself resonates.
+  /// Resonance of the nonlinear mode.
   struct Mode {
     SteadyVibration vibration;
     double frequency;  ///< rad/s
     double damping;    ///< ζ
   };
 
-  /// A response at which no phase resonance was found, and what there is instead.
+  /// A response at which no phase resonance was found, with the evidence.
   struct InVain {
     double response;
     std::string evidence;
@@ -70,10 +70,10 @@ class ResonanceCurve {
   std::optional<ResonanceTracer> guide_;  ///< of the nonlinear mode
   Piece guide_piece_;
   std::vector<Piece> pieces_;
-  double reached_ = 0.0;  ///< the highest response of the pieces and of those looked at in vain
+  double reached_ = 0.0;  ///< the highest response of the pieces and of those without a resonance
   std::vector<InVain> in_vain_;
   bool judged_ = true;    ///< whether all curves that were to show that reached their end
-  double highest_ = 0.0;  ///< of the responses asked for
+  double highest_ = 0.0;  ///< of the requested responses
   Progress progress_;
   std::size_t count_ = 0;
 };

@@ -20,7 +20,7 @@ constexpr double kSameResponse = 1e-9;  // relative
 
 bool same(double one, double other) { return std::abs(one / other - 1.0) <= kSameResponse; }
 
-/// Whether x lies between two values, or beyond one by no more than half of what is between them.
+/// Whether x lies between two values, or beyond one by no more than half of their difference.
 bool lies_near(double x, double from, double to) {
   const double margin = 0.5 * std::abs(to - from) + 1e-6 * std::abs(from);
   return x >= std::min(from, to) - margin && x <= std::max(from, to) + margin;
@@ -43,7 +43,7 @@ void ResonanceTracer::count(const NewtonResult& result) {
 
 std::optional<ResonanceTracer::Place> ResonanceTracer::at_rest(double stuck_frequency,
                                                                double most) {
-  LevelWalk walk(equations_, options_.newton, kPhaseResonance, Quantity::kResponse);
+  AmplitudeContinuation walk(equations_, options_.newton, kPhaseResonance, Quantity::kResponse);
   const NewtonResult result = walk.start(stuck_frequency, most);
   count(result);
   if (!result.converged) return std::nullopt;
@@ -91,7 +91,7 @@ ResonanceTracer::Piece ResonanceTracer::follow(const Place& from, double to,
   return piece;
 }
 
-/// What lies behind the farthest response leads back on the other side of the fold.
+/// Cuts the part beyond the farthest response, which leads back on the other side of the fold.
 void ResonanceTracer::cut_return(Piece& piece) const {
   const double from = piece.places.front().response;
   const auto farthest = std::ranges::max_element(piece.places, {}, [&](const Place& place) {
@@ -151,7 +151,7 @@ std::optional<ResonanceTracer::Place> ResonanceTracer::between(const Place& from
   return bisected(from, to, response);
 }
 
-/// Along the chord, where the response next to a fold leaves Newton's method two ways.
+/// Along the chord, where next to a fold Newton's method has two solutions.
 std::optional<ResonanceTracer::Place> ResonanceTracer::bisected(const Place& from, const Place& to,
                                                                 double response) {
   constexpr int kMostSteps = 100;

@@ -28,8 +28,8 @@ class ResonanceTracer {
     double response;
   };
 
-  /// A part of the curve; where two places follow one another the response goes one way, and folds
-  /// are places.
+  /// A part of the curve; between two consecutive places the response is monotone, and folds are
+  /// places.
   struct Piece {
     std::vector<Place> places;
     bool complete = false;  ///< reached where it was to go
@@ -46,8 +46,8 @@ class ResonanceTracer {
     std::vector<double> missed;  ///< responses that the piece has, but Newton's method did not find
   };
 
-  /// At a level at which the joints hardly slip, but not above `most`; nothing where Newton's
-  /// method does not get there.
+  /// At a level at which the joints hardly slip, but not above `most`; none where Newton's method
+  /// does not converge.
   [[nodiscard]] std::optional<Place> at_rest(double stuck_frequency, double most);
 
   /// From z, near it, exactly to this response.

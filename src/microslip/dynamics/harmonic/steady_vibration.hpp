@@ -21,7 +21,7 @@ struct JointCycle {
   double amplitude = 0.0;                   ///< half of max u − min u, m
   /// D = ∮ F du of the harmonics, J per cycle: all that the joint loses, as levels have it.
   double dissipation = 0.0;
-  double linear_dissipation = 0.0;  ///< Σ_n nβ|u_n|², J per cycle: what of D is not slip
+  double linear_dissipation = 0.0;  ///< Σ_n nβ|u_n|², J per cycle: the part of D that is not slip
   std::size_t reversals = 0;        ///< in a cycle; 2 without inner loops
 };
 
@@ -37,14 +37,16 @@ struct SteadyVibration {
   double input_energy = 0.0;        ///< W_ext = ∮ Σ f ẇ dt, J per cycle [AR14 (17)]
   double linear_dissipation = 0.0;  ///< W_lin = Σ_i Σ_n nπ Im Z_i(nω) |q_{i,n}|², J per cycle
   /// |W_ext − W_lin − ΣD|/W_ext, 1: 0 in an exact solution of the equations, so that it measures
-  /// the convergence of this one. [AR14 (15) (16)] Where next to nothing is lost W_ext is the
-  /// small rest of what flows in and out: then over 1e-3 of the apparent work Σ nπ|f_n||w_n|.
+  /// the convergence of this one. [AR14 (15) (16)] With next to no losses W_ext is the small
+  /// difference of the energy fed in and returned: then over 1e-3 of the apparent work Σ
+  /// nπ|f_n||w_n|.
   double energy_imbalance = 0.0;
 
   /// ω/(2π), Hz.
   [[nodiscard]] double frequency() const;
 
-  /// ζ by the energy that a cycle loses to the largest kinetic energy of its first harmonic:
+  /// ζ by the ratio of the energy lost per cycle to the largest kinetic energy of the first
+  /// harmonic:
   ///
   ///     ζ = (W_lin + ΣD)/(2π ω² Σ_i |q_{i,1}|²)
   ///
@@ -57,13 +59,15 @@ struct SteadyVibration {
   /// @throws InputError  where the model has no such point, or other modes than the vibration.
   [[nodiscard]] std::vector<std::complex<double>> displacement(const ModalModel& model,
                                                                std::string_view point) const;
-  /// What a load at a place works on, harmonics 0 to H: the displacement of a point, m; −Σ Γ_i q_i
-  /// of a base, kg m, so that a force on the one and an acceleration of the other feed ∮ f ẇ dt.
+  /// The motion conjugate to a load at a place, harmonics 0 to H: the displacement of a point, m;
+  /// −Σ Γ_i q_i of a base, kg m, so that a force on the one and an acceleration of the other feed ∮
+  /// f ẇ dt.
   /// @throws InputError  as displacement().
   [[nodiscard]] std::vector<std::complex<double>> worked_on(const ModalModel& model,
                                                             std::string_view place) const;
-  /// The displacement at a point with what excitations move bases by, harmonics 0 to H, m: that of
-  /// displacement() and Σ_b r_p(b) x_b, −n²ω²x_b = A s_n. Without driven bases the same.
+  /// The displacement at a point including the motion of driven bases, harmonics 0 to H, m: that of
+  /// displacement() and Σ_b r_p(b) x_b, −n²ω²x_b = A s_n. Without driven bases that of
+  /// displacement().
   /// @throws InputError  as displacement().
   [[nodiscard]] std::vector<std::complex<double>> absolute_displacement(
       const JointedStructure& structure, std::string_view point) const;
@@ -72,7 +76,7 @@ struct SteadyVibration {
                                                                std::string_view point) const;
 };
 
-/// What HarmonicBalance::solve() found.
+/// Result of HarmonicBalance::solve().
 struct VibrationResult {
   SteadyVibration vibration;  ///< the best that was found
   Summary summary;            ///< residual: of the equations, see HarmonicBalanceOptions
@@ -88,7 +92,7 @@ struct ResponseCurve {
   std::vector<std::size_t> peak_points;  ///< i of each of them among the points
   /// i where the curve turns back in the quantity that it follows between points i − 1 and i + 1.
   std::vector<std::size_t> turning_points;
-  std::vector<Warning> warnings;  ///< what one must know who reads the points; tables repeat them
+  std::vector<Warning> warnings;  ///< warnings that concern the points; tables repeat them
   Summary summary;                ///< of the whole curve: why it ended, and where
 };
 

@@ -6,18 +6,18 @@
 
 namespace microslip {
 
-// g++ 12 says that scoped enumerators hide the dimensions of units.hpp, which they do not.
+// g++ 12 warns that scoped enumerators hide the dimensions of units.hpp, which they do not.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 
-/// What may be prescribed of a steady vibration. Its frequency and its force amplitude are two
-/// numbers: two targets make a vibration, one makes a curve.
+/// Quantities of a steady vibration that may be prescribed. Its frequency and its force amplitude
+/// are two numbers: two targets make a vibration, one makes a curve.
 enum class Quantity {
   kAngularFrequency,  ///< ω, rad/s; > 0
   kForceAmplitude,    ///< A, N; > 0
   kResponse,          ///< amplitude of the first harmonic at the response point; > 0
-  /// Of the displacement there behind the force, rad; in (0, π), modulo π: a point that moves
-  /// against the excitation has it too.
+  /// Phase lag of the displacement there behind the force, rad; in (0, π), modulo π: a point that
+  /// moves against the excitation has it too.
   kPhaseLag,
 };
 
@@ -30,8 +30,8 @@ struct Target {
   double value;       ///< in the unit of the quantity
 };
 
-/// As messages say it to people: "frequency 55.8 Hz", "force amplitude 0.1 N", "response 2e-05",
-/// "phase lag 1.57 rad".
+/// Text for messages: "frequency 55.8 Hz", "force amplitude 0.1 N", "response 2e-05", "phase lag
+/// 1.57 rad".
 /// @param target   any.
 /// @param of_base  whether the excitations are accelerations of bases: "base acceleration 0.1
 ///     m/s^2".
@@ -44,7 +44,7 @@ struct Target {
 /// The phase lag at resonance, π/2: the force then feeds the damping alone.
 inline constexpr Target kPhaseResonance{Quantity::kPhaseLag, 1.57079632679489661923};
 
-/// What keeps a vibration up.
+/// Kinds of forcing of a vibration.
 enum class Forcing {
   kExcitation,  ///< the excitations of the structure
   /// A force ξ M q̇ on every mode: it replaces at each place what the motion loses there, as a

@@ -37,10 +37,11 @@ std::optional<Warning> truncation_warning(const Truncation& truncation) {
             truncation.worst_frequency, truncation.response_unit)};
   }
   if (truncation.unsolved) {
-    return Warning{"truncation_unknown",
-                   fmt::format("whether the harmonics are enough was not seen everywhere: with {} "
-                               "of them: {}",
-                               truncation.harmonics, *truncation.unsolved)};
+    return Warning{
+        "truncation_unknown",
+        fmt::format("whether the harmonics suffice could not be checked everywhere: with "
+                    "{} of them: {}",
+                    truncation.harmonics, *truncation.unsolved)};
   }
   return std::nullopt;
 }

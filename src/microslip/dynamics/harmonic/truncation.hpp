@@ -11,20 +11,20 @@
 
 namespace microslip {
 
-/// What is missing in a curve because its harmonics end at H, by the same vibrations with 2H + 1.
-/// The error itself is a little larger.
+/// Truncation error of a curve with harmonics up to H, by the same vibrations with 2H + 1. The
+/// error itself is a little larger.
 struct Truncation : CurveChange {
   std::size_t harmonics = 0;  ///< 2H + 1
 };
 
-/// The error that truncation may make unsaid, 1.
+/// The truncation error below which no warning is given, 1.
 inline constexpr double kTruncationAllowed = 2e-3;
 
-/// solve_again() with harmonics up to 2H + 1, which costs some 6 evaluations a point of equations
+/// solve_again() with harmonics up to 2H + 1, which costs some 6 evaluations per point of equations
 /// twice as many as those of the curve.
-/// @param balance  that the curve is of.
-/// @param curve    that was found.
-/// @param kept     what was kept on the curve: the force, the response, or, of a backbone, phase
+/// @param balance  of the curve.
+/// @param curve    the curve.
+/// @param kept     its constant quantity: the force, the response, or, of a backbone, phase
 ///                 resonance.
 /// @return nothing where the structure has no joint, or the curve no point.
 [[nodiscard]] std::optional<Truncation> judge_truncation(const HarmonicBalance& balance,

@@ -11,9 +11,9 @@
 
 namespace microslip {
 
-/// What accelerating bases carry each of some points along with, over time: Σ_b r_p(b) x_b(t). The
-/// accelerations are linear in time between the times of the loads, so that x_b, from rest at 0, is
-/// a cubic there, in closed form. Internal to dynamics.
+/// Motion of some points due to accelerating bases, over time: Σ_b r_p(b) x_b(t). The accelerations
+/// are linear in time between the times of the loads, so that x_b, from rest at 0, is a cubic
+/// there, in closed form. Internal to dynamics.
 class BaseMotion {
  public:
   /// @param loads   kept by reference. @param points  names of points of the structure.
@@ -26,12 +26,12 @@ class BaseMotion {
   /// To a time that is not earlier than the last one.
   void advance_to(double time);
 
-  /// Of a point, now: m, m/s, m/s².
+  /// Present motion of a point: m, m/s, m/s².
   [[nodiscard]] std::array<double, 3> of(std::size_t point) const;
 
  private:
   struct Base {
-    const std::vector<double>* acceleration;  // of the loads, one a time
+    const std::vector<double>* acceleration;  // of the loads, one per time
     std::vector<double> carried;              // r of each point
     double x = 0.0;                           // at the begin of the interval
     double v = 0.0;

@@ -24,7 +24,7 @@ class EvenSteps {
   /// for.
   [[nodiscard]] static std::size_t count(double length, double longest, bool in_pairs);
 
-  /// For those that follow: of an interval by its length and their number.
+  /// Sets the following steps: the length of an interval and their number.
   void set(double length, std::size_t count);
 
   /// @return false where it failed.
@@ -34,7 +34,7 @@ class EvenSteps {
   StepWeights weights_;
 };
 
-/// A march with twice the step beside the one whose error it tells. Internal to dynamics.
+/// A march with twice the step, to estimate the error of another. Internal to dynamics.
 class CoarseMarch {
  public:
   CoarseMarch(const JointedStructure& structure, const LoadHistory& loads,
@@ -45,17 +45,17 @@ class CoarseMarch {
   /// For the steps over an interval by their number.
   void set(const MarchLoads& acting, std::size_t interval, double length, std::size_t count);
 
-  /// A step, to be held against where the other came to by two.
+  /// Takes a step, to be compared with two steps of the other.
   void take(const MarchState& fine);
 
-  /// As MarchResult::error_estimate: none where it failed, or there was nothing to be held against.
+  /// As MarchResult::error_estimate: none where it failed, or there was nothing to compare with.
   [[nodiscard]] std::optional<double> error() const;
 
  private:
   struct Difference {
     double difference = 0.0;  ///< largest so far, m
-    double largest = 0.0;     ///< displacement about the rest so far, m
-    double rest = 0.0;        ///< where static loads hold it, m
+    double largest = 0.0;     ///< largest displacement about the rest so far, m
+    double rest = 0.0;        ///< displacement under static loads, m
   };
 
   /// w of a point.

@@ -15,8 +15,8 @@ constexpr double kAtEnd = 1e-9;
 /// Shares are found to about the square of this: the last step of Newton's method is below it.
 constexpr double kWithin = 1e-7;
 
-/// Where a motion with a slope of this sign at `from` turns, and has turned at `to`; 1 next to an
-/// end of the step.
+/// The share at which a motion with a slope of this sign at `from` turns, which has turned at `to`;
+/// 1 next to an end of the step.
 /// @param first  is tried first.
 double extreme_between(const StepQuartic& y, double sign, double first, double from, double to) {
   const double share = growing_zero_near(
@@ -50,7 +50,7 @@ std::pair<double, double> extremes(const StepQuartic& y, double near) {
 
 }  // namespace
 
-bool JointWay::follow(const Start& start, const StepQuartic& y) {
+bool JointPath::follow(const Start& start, const StepQuartic& y) {
   const double near = first_turn();
   before_ = std::exchange(size_, 0);
   if (start.direction == 0) return true;
@@ -65,34 +65,34 @@ bool JointWay::follow(const Start& start, const StepQuartic& y) {
   for (const double share : {first, second}) {
     if (!pass_kinks(y, from, share)) return false;
     if (share == 1.0) return true;
-    if (!turn(y, share, size_ == 0 ? start.force : knots_[size_ - 1].force)) return false;
+    if (!turn(y, share, size_ == 0 ? start.force : breakpoints_[size_ - 1].force)) return false;
     from = share;
   }
   return pass_kinks(y, from, 1.0);
 }
 
 /// 0 where there is none.
-double JointWay::first_turn() const {
-  const auto turn = std::ranges::find(knots(), true, &Knot::turns);
-  return turn == knots().end() ? 0.0 : turn->share;
+double JointPath::first_turn() const {
+  const auto turn = std::ranges::find(breakpoints(), true, &Breakpoint::turns);
+  return turn == breakpoints().end() ? 0.0 : turn->share;
 }
 
-bool JointWay::add(const Knot& knot) {
-  if (size_ == kMostKnots) return false;
-  knots_[size_++] = knot;
+bool JointPath::add(const Breakpoint& breakpoint) {
+  if (size_ == kMostBreakpoints) return false;
+  breakpoints_[size_++] = breakpoint;
   return true;
 }
 
-/// Those between two shares, where y does not turn.
-bool JointWay::pass_kinks(const StepQuartic& y, double from, double to) {
+/// Passes the kinks between two shares, where y does not turn.
+bool JointPath::pass_kinks(const StepQuartic& y, double from, double to) {
   const double end = y.value(to);
   const auto stiffness = [&](double tangent) { return in_series(tangent, compliance_); };
   for (;;) {
     const double at = follower_.next_kink_behind(compliance_);
     if (direction_ * (at - end) >= 0.0) return true;
     const double begin = y.value(from);
-    const double near =
-        size_ < before_ ? knots_[size_].share : from + (to - from) * (at - begin) / (end - begin);
+    const double near = size_ < before_ ? breakpoints_[size_].share
+                                        : from + (to - from) * (at - begin) / (end - begin);
     const double share = growing_zero_near(
         [&](double x) {
           return Growing{direction_ * (y.value(x) - at), direction_ * y.slope(x)};
@@ -111,7 +111,7 @@ bool JointWay::pass_kinks(const StepQuartic& y, double from, double to) {
 }
 
 /// @param force  near the one there.
-bool JointWay::turn(const StepQuartic& y, double share, double force) {
+bool JointPath::turn(const StepQuartic& y, double share, double force) {
   const double extreme = y.value(share);
   double u = extreme - compliance_ * force;
   for (int i = 0; i < 50 && compliance_ > 0.0; ++i) {  // u + cF(u) = y

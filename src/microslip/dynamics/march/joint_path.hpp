@@ -10,13 +10,14 @@
 
 namespace microslip {
 
-/// The way of a joint over one step of a march, by the quartic of y = u + cF over it: where on it
-/// the joint turns and where its tangent jumps, and what its force is there. Internal to dynamics.
+/// The path of a joint over one step of a march, by the quartic of y = u + cF over it: the places
+/// where the joint turns and where its tangent jumps, with its force there. Internal to dynamics.
 ///
-/// With these knots the force over a step is a piecewise cubic, so that the step need not be cut.
-class JointWay {
+/// With these breakpoints the force over a step is a piecewise cubic, so that the step need not be
+/// cut.
+class JointPath {
  public:
-  struct Knot {
+  struct Breakpoint {
     double share;         ///< of the step
     double displacement;  ///< u, m
     double force;         ///< F, N
@@ -25,8 +26,8 @@ class JointWay {
     bool turns;           ///< or else its tangent jumps
   };
 
-  /// The way begins without knots.
-  explicit JointWay(const Joint& joint) : follower_(joint) {}
+  /// The path begins without breakpoints.
+  explicit JointPath(const Joint& joint) : follower_(joint) {}
 
   struct Start {
     const CurveFollower& follower;  ///< at the beginning of the step
@@ -37,32 +38,35 @@ class JointWay {
     double quiet;                   ///< changes of y below this are rounding, m
   };
   /// Follows y over the step.
-  /// @return false where it starts against its direction, or there are too many knots: that is left
-  ///         to shorter steps.
+  /// @return false where it starts against its direction, or there are too many breakpoints:
+  ///         shorter steps are then needed.
   [[nodiscard]] bool follow(const Start& start, const StepQuartic& y);
-  /// The next way has nothing to do with this one.
+  /// Forgets the path: the next one is unrelated.
   void forget() { size_ = before_ = 0; }
 
-  [[nodiscard]] std::span<const Knot> knots() const { return {knots_.data(), size_}; }
-  /// On the curve behind the last knot, where there is one.
+  [[nodiscard]] std::span<const Breakpoint> breakpoints() const {
+    return {breakpoints_.data(), size_};
+  }
+  /// The follower on the curve behind the last of the breakpoints, if any.
   [[nodiscard]] const CurveFollower& follower() const { return follower_; }
-  /// The same for one that goes on from there; until the next way there is none here.
+  /// The follower, to be taken over by one that continues from there; until the next path there is
+  /// none here.
   [[nodiscard]] CurveFollower& follower() { return follower_; }
 
  private:
   [[nodiscard]] double first_turn() const;
   [[nodiscard]] bool pass_kinks(const StepQuartic& y, double from, double to);
   [[nodiscard]] bool turn(const StepQuartic& y, double share, double force);
-  [[nodiscard]] bool add(const Knot& knot);
+  [[nodiscard]] bool add(const Breakpoint& breakpoint);
 
-  static constexpr std::size_t kMostKnots = 6;
+  static constexpr std::size_t kMostBreakpoints = 6;
 
   CurveFollower follower_;
   int direction_ = 0;
   double compliance_ = 0.0;
-  std::array<Knot, kMostKnots> knots_{};
+  std::array<Breakpoint, kMostBreakpoints> breakpoints_{};
   std::size_t size_ = 0;
-  std::size_t before_ = 0;  ///< knots of the way before, from which new ones are looked for
+  std::size_t before_ = 0;  ///< breakpoints of the previous path, to start the search of new ones
 };
 
 }  // namespace microslip

@@ -28,7 +28,7 @@ namespace microslip {
 namespace {
 
 constexpr double kStepsPerPeriod = 20.0;
-// Of second order: as many as keep the energy to half of 1e-4.
+// Steps per period at second order: as many as keep the energy to half of 1e-4.
 constexpr double kStepsWithManyAtoms = 80.0;
 constexpr double kStepsWithNormalLoad = 400.0;
 /// Steps between two words to the progress, and what is left of the interval.
@@ -55,7 +55,7 @@ void check_step(double step, const std::vector<double>& time) {
       fmt::format("must be at least {:.9g} s: the time axis is {:.4g} s long, and {:.0e} "
                   "steps take an hour or more",
                   length / kMostTimeSteps, length, kMostTimeSteps),
-      "Is the time in its unit? March over less of it, or take longer steps.");
+      "Check the unit of time. March over a shorter time, or take longer steps.");
 }
 
 /// Peak and ∫ x² dt of signals, by the trapezium rule over times that need not be equally far
@@ -97,7 +97,7 @@ class SizeSums {
 /// Takes the state at each time of the axis: makes rows, and keeps the largest values.
 class Recorder {
  public:
-  /// @param result  whose largest values are kept.
+  /// @param result  receives the largest values.
   Recorder(const JointedStructure& structure, const LoadHistory& loads, const MarchOptions& options,
            const MarchSink& sink, MarchResult& result)
       : sink_(sink),
@@ -117,7 +117,7 @@ class Recorder {
     if (bases_.any()) absolute_.assign(kOfPoint, std::vector<double>(shapes_.size()));
   }
 
-  /// At every step: what is largest need not be at a time of the axis.
+  /// Called at every step: the largest values need not be at a time of the axis.
   void watch(const MarchState& state, double time) {
     move_points(state);
     move_joints(state);
@@ -137,7 +137,7 @@ class Recorder {
     }
   }
 
-  /// What was watched last, at a time of the axis.
+  /// Takes the state watched last, at a time of the axis.
   void take(std::size_t index, double time, bool recorded) {
     result_.reached = time;
     if (!recorded) return;
@@ -187,7 +187,7 @@ class Recorder {
     }
   }
 
-  /// What bases do with the points, after they and the joints have moved.
+  /// Adds the motion of bases to the points, after the points and the joints have moved.
   void move_along(double time) {
     if (!bases_.any()) return;
     bases_.advance_to(time);
@@ -207,12 +207,12 @@ class Recorder {
   std::vector<std::span<const double>> shapes_;
   std::vector<double> displacement_, velocity_, acceleration_, joint_displacement_, joint_force_;
   BaseMotion bases_;
-  std::vector<std::vector<double>> absolute_;  // w, ẇ, ẅ; one a point; empty without bases
+  std::vector<std::vector<double>> absolute_;  // w, ẇ, ẅ; one per point; empty without bases
   std::vector<double> signals_;  // all of these, one point after the other, then the joints
   SizeSums sums_;
 };
 
-/// What marches over the time axis.
+/// The parts of a march over the time axis.
 struct March {
   March(const JointedStructure& structure, const LoadHistory& of_time, const MarchOptions& given)
       : loads(of_time),
@@ -232,7 +232,7 @@ struct March {
   /// not.
   [[nodiscard]] std::string run(double longest, Recorder& recorder, const Progress& progress) {
     const std::size_t intervals = loads.time.size() - 1;
-    std::size_t told = 0;  // steps
+    std::size_t reported = 0;  // steps
     recorder.watch(state, loads.time.front());
     recorder.take(0, loads.time.front(), true);
     for (std::size_t k = 0; k < intervals; ++k) {
@@ -241,8 +241,8 @@ struct March {
       }
       const bool last = k + 1 == intervals;
       recorder.take(k + 1, loads.time[k + 1], last || (k + 1) % options.every == 0);
-      if (progress && (last || state.steps() - told >= kStepsAWord)) {
-        told = state.steps();
+      if (progress && (last || state.steps() - reported >= kStepsAWord)) {
+        reported = state.steps();
         if (!progress(k + 1, intervals)) throw Cancelled();
       }
     }
@@ -327,8 +327,8 @@ void add_error(const std::optional<CoarseMarch>& coarse, const JointedStructure&
   result.error_estimate = coarse->error();
   if (result.error_estimate) return;
   result.warnings.push_back({"error_not_estimated",
-                             "the error is not known: the march with twice the step, which tells "
-                             "it, did not get on; take shorter steps."});
+                             "the error was not estimated: the march with twice the step, which it "
+                             "needs, did not converge; take shorter steps."});
 }
 
 void add_damping_of_joints(const JointedStructure& structure, MarchResult& result) {
@@ -340,8 +340,8 @@ void add_damping_of_joints(const JointedStructure& structure, MarchResult& resul
         {"damping_as_viscous",
          omega > 0.0
              ? fmt::format(
-                   "linear damping of '{}', {:.6g} J/m^2, has no form in time; it is marched "
-                   "as a viscous damper of {:.6g} N s/m, which loses the same at {:.5g} Hz, "
+                   "linear damping of '{}', {:.6g} J/m^2, has no time-domain form; it is marched "
+                   "as a viscous damper of {:.6g} N s/m, which has the same loss at {:.5g} Hz, "
                    "the lowest natural frequency at which the stuck joint moves, and more "
                    "above.",
                    joint.name, joint.linear_damping, damper_of_joint(structure, j),
@@ -358,9 +358,10 @@ void add_damping(const JointedStructure& structure, MarchResult& result) {
   const bool damped = std::ranges::any_of(structure.linear().modes(),
                                           [](const Mode& m) { return m.loss_factor > 0.0; });
   if (structure.damping() != DampingLaw::kHysteretic || !damped) return;
-  result.warnings.push_back({"hysteretic_as_viscous",
-                             "hysteretic damping has no form in time; the damping is viscous with "
-                             "the same loss factor at each natural frequency."});
+  result.warnings.push_back(
+      {"hysteretic_as_viscous",
+       "hysteretic damping has no time-domain form; the damping is viscous with "
+       "the same loss factor at each natural frequency."});
 }
 
 }  // namespace

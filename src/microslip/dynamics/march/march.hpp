@@ -18,7 +18,7 @@
 
 namespace microslip {
 
-/// The motion of a point, one value a recorded time.
+/// The motion of a point, one value per recorded time.
 struct PointMotion {
   std::string point;                 ///< its name in the modal model
   std::vector<double> displacement;  ///< m
@@ -26,30 +26,30 @@ struct PointMotion {
   std::vector<double> acceleration;  ///< m/s²
 };
 
-/// The motion of a joint, one value a recorded time.
+/// The motion of a joint, one value per recorded time.
 struct JointMotion {
   std::string joint;                 ///< its name in the structure
   std::vector<double> displacement;  ///< u, m: between the ends of the joint itself
   std::vector<double> force;         ///< F, N: the restoring force
 };
 
-/// What is recorded at one time. The values hold until the call returns.
+/// Recorded values at one time, valid until the call returns.
 struct MarchRow {
   std::size_t index;                           ///< of the time in the axis
   double time;                                 ///< s
-  std::span<const double> displacement;        ///< m; one a point of the options
+  std::span<const double> displacement;        ///< m; one per point of the options
   std::span<const double> velocity;            ///< m/s; the same
   std::span<const double> acceleration;        ///< m/s²; the same
-  std::span<const double> joint_displacement;  ///< u, m; one a joint of the structure
+  std::span<const double> joint_displacement;  ///< u, m; one per joint of the structure
   std::span<const double> joint_force;         ///< F, N; the same
-  /// The first three with what bases carry the points along with, from rest at the first time on;
-  /// empty where no base accelerates.
+  /// Displacement, velocity and acceleration including the motion of bases, from rest at the first
+  /// time; empty where no base accelerates.
   std::span<const double> absolute_displacement = {};
-  std::span<const double> absolute_velocity = {};      ///< m/s; likewise
-  std::span<const double> absolute_acceleration = {};  ///< m/s²; likewise
+  std::span<const double> absolute_velocity = {};      ///< m/s; or empty
+  std::span<const double> absolute_acceleration = {};  ///< m/s²; or empty
 };
 
-/// Takes the rows as they come.
+/// Receives the rows in turn.
 using MarchSink = std::function<void(const MarchRow&)>;
 
 /// The largest values of the motion of a point.
@@ -74,11 +74,11 @@ struct MarchResult {
   double reached = 0.0;             ///< the last time of the axis that was reached, s
   /// At the ends of all steps up to there, recorded or not; in the order of the options.
   std::vector<LargestMotion> largest;
-  std::vector<double> reach;  ///< likewise max |u| of each joint, m
-  /// Likewise of all signals: w, ẇ, ẅ of each point of the options, then u and F of each joint of
-  /// the structure, then, where a base accelerates, the absolute w, ẇ, ẅ of each point.
+  std::vector<double> reach;  ///< max |u| of each joint, m
+  /// Sizes of all signals: w, ẇ, ẅ of each point of the options, then u and F of each joint of the
+  /// structure, then, where a base accelerates, the absolute w, ẇ, ẅ of each point.
   std::vector<SignalSize> sizes;
-  /// Those of the absolute motions, three a point; none where no base accelerates.
+  /// Sizes of the absolute motions, three per point; none where no base accelerates.
   [[nodiscard]] std::span<const SignalSize> absolute_sizes() const {
     return std::span(sizes).subspan(std::min(sizes.size(), 3 * largest.size() + 2 * reach.size()));
   }
@@ -88,11 +88,10 @@ struct MarchResult {
   std::size_t kinks = 0;      ///< loops that closed and atoms that began to slip
   /// The largest error of the displacement of a recorded point (of u of a joint where there is
   /// none) at every second step, over its largest value, about the rest under static loads, 1: the
-  /// difference from the march with twice the step, over what it is of the error by the order of
-  /// the scheme. 0 for a linear structure; none where it was not asked for, or that march failed.
+  /// difference from the march with twice the step, over its ratio to the error by the order of the
+  /// scheme. 0 for a linear structure; none where it was not requested, or that march failed.
   std::optional<double> error_estimate;
-  /// What a user of the result must know: `hysteretic_as_viscous`, `damping_as_viscous`,
-  /// `error_not_estimated`.
+  /// Warnings: `hysteretic_as_viscous`, `damping_as_viscous`, `error_not_estimated`.
   std::vector<Warning> warnings;
   /// Converged: to the last time, with an energy imbalance, its residual, and an estimated error in
   /// bounds. `iterations` counts evaluations of the joints.
@@ -111,8 +110,8 @@ struct MarchResult {
 ///
 ///     q_i(h) = free vibration + ∫₀ʰ g_i(h − t) p_i(t) dt,   g_i the impulse response,
 ///
-/// in closed form, with p_i the cubic of its values and slopes at both ends, and what it is more
-/// than that in the middle by the joint forces there; ṗ follows from the tangent stiffness of the
+/// in closed form, with p_i the cubic of its values and slopes at both ends, and its excess over
+/// that in the middle by the joint forces there; ṗ follows from the tangent stiffness of the
 /// joints, u̇ and q̇. A linear structure is exact whatever the step. The joint forces at the end of
 /// the step are found by Newton's method. Where u of a joint turns, closes a loop or comes to where
 /// an atom begins to slip, found on a quartic of u over the step, its force is a piecewise cubic;
@@ -125,28 +124,28 @@ struct MarchResult {
 /// joints and not from modes; an unstable march shows in its energy.
 ///
 /// On the reference rig, 7 modes, 8 N at 55 Hz, the largest error of w over its largest value is
-/// 8.6e-8 with 149 steps a period and 3.3e-10 with 596; docs/validation.md compares it with other
+/// 8.6e-8 with 149 steps per period and 3.3e-10 with 596; docs/validation.md compares it with other
 /// schemes.
 ///
 /// A structure with hysteretic damping is marched with the viscous damping of the same η_i, which
-/// is the same at each natural frequency: the hysteretic law has no form in time. So is the linear
-/// damping β of a joint: a viscous damper beside F, c = β/(πω), with the lowest ω of the stuck
-/// structure at which the joint moves; there it loses βA² a cycle. With something in series it is
-/// right to the first order in (series compliance)·β/π. `force` of the joint is F alone.
+/// is the same at each natural frequency: the hysteretic law has no time-domain form. So is the
+/// linear damping β of a joint: a viscous damper beside F, c = β/(πω), with the lowest ω of the
+/// stuck structure at which the joint moves; there it loses βA² per cycle. With a compliance in
+/// series it is correct to first order in (series compliance)·β/π. `force` of the joint is F alone.
 ///
 /// @throws InputError  naming what breaks a rule: a time that does not rise, a force or load that
 ///                     is not finite, a wrong length, an unknown point or joint, an option.
-/// @throws Cancelled   where `progress`, told of the times of the axis, returns false.
+/// @throws Cancelled   where `progress`, called with the times of the axis, returns false.
 [[nodiscard]] MarchResult march(const JointedStructure& structure, const LoadHistory& loads,
                                 const MarchOptions& options = {}, const Progress& progress = {});
 
-/// The same with each row given away as it comes: memory does not grow with their number. `time`,
+/// As march(), with each row passed on as it comes: memory does not grow with their number. `time`,
 /// `points` and `joints` of the result stay empty.
 /// @param structure  that is marched.
-/// @param loads      what acts on it.
+/// @param loads      its load history.
 /// @param options    as of march().
-/// @param sink       told of each row in turn; what it throws ends the march.
-/// @param progress   told of the times of the axis.
+/// @param sink       called with each row in turn; an exception of it ends the march.
+/// @param progress   called with the times of the axis.
 /// @throws InputError, Cancelled  as march().
 [[nodiscard]] MarchResult march_rows(const JointedStructure& structure, const LoadHistory& loads,
                                      const MarchOptions& options, const MarchSink& sink,

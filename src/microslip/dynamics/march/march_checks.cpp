@@ -25,7 +25,7 @@ void check_time(const std::vector<double>& time) {
     const bool rises = i == 0 || time[i] > time[i - 1];
     if (std::isfinite(time[i]) && rises) continue;
     throw InputError(fmt::format("time[{}]", i), time[i],
-                     rises ? "must be finite" : "must be later than the time before it");
+                     rises ? "must be finite" : "must be later than the previous time");
   }
 }
 
@@ -104,7 +104,7 @@ void check_march(const JointedStructure& structure, const LoadHistory& loads,
   check_normal_loads(loads, structure);
   check_options(options, structure.linear());
   if (!structure.static_loads().empty() && !options.start.displacement.empty()) {
-    throw InputError("start displacement", "given beside static loads",
+    throw InputError("start displacement", "given with static loads",
                      "must be left out: the march begins at rest under them",
                      "Give a start velocity, or a force that is released.");
   }

@@ -11,16 +11,16 @@
 
 namespace microslip {
 
-/// What acts on the modes and joints over the intervals of the time axis. Internal to dynamics.
+/// Loads on the modes and joints over the intervals of the time axis. Internal to dynamics.
 class MarchLoads {
  public:
   /// @param loads  kept by reference.
   MarchLoads(const JointedStructure& structure, const LoadHistory& loads);
 
-  /// Where the march begins: what is asked for, or, with static loads, at rest under them.
+  /// Initial state of the march: the requested one, or, with static loads, at rest under them.
   [[nodiscard]] InitialState start(InitialState asked) const;
 
-  /// Whether static loads hold it there.
+  /// Whether the march begins at rest under static loads.
   [[nodiscard]] bool at_rest() const { return !equilibrium_.empty(); }
 
   /// Sets all that is not constant from one interval to the next, and the static loads.
@@ -34,8 +34,8 @@ class MarchLoads {
   std::vector<double> equilibrium_;          // q under them
 };
 
-/// The joints with the hysteresis that they have under these loads.
-/// @param elements  that stand for one whose normal load varies.
+/// The joints with their hysteresis under these loads.
+/// @param elements  of a joint whose normal load varies.
 [[nodiscard]] std::vector<MarchedJoint> marched_joints(const JointedStructure& structure,
                                                        const LoadHistory& loads,
                                                        std::size_t elements);

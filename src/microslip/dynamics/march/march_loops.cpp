@@ -202,19 +202,19 @@ void move_slides(std::size_t groups, const double* coupling, double r, double r_
 }
 
 MICROSLIP_VECTOR_CLONES
-void move_slides_by_knots(std::size_t groups, const double* coupling,
-                          std::span<const double> moments, double* slide, double* slide_dot) {
+void move_slides_by_breakpoints(std::size_t groups, const double* coupling,
+                                std::span<const double> moments, double* slide, double* slide_dot) {
   const std::size_t lanes = groups * kLanes;
   for (std::size_t group = 0; group < groups; ++group) {
     double sum[kLanes] = {};
     double sum_dot[kLanes] = {};
     for (std::size_t m = 0; m < moments.size(); ++m) {
-      const double* by = coupling + m * KnotWeights::kKinds * lanes + group * kLanes;
+      const double* by = coupling + m * BreakpointWeights::kKinds * lanes + group * kLanes;
       const double moment = moments[m];
 #pragma omp simd
       for (std::size_t j = 0; j < kLanes; ++j) {
-        sum[j] += moment * by[KnotWeights::kOfDisplacement * lanes + j];
-        sum_dot[j] += moment * by[KnotWeights::kOfVelocity * lanes + j];
+        sum[j] += moment * by[BreakpointWeights::kOfDisplacement * lanes + j];
+        sum_dot[j] += moment * by[BreakpointWeights::kOfVelocity * lanes + j];
       }
     }
 #pragma omp simd
@@ -226,18 +226,19 @@ void move_slides_by_knots(std::size_t groups, const double* coupling,
 }
 
 MICROSLIP_VECTOR_CLONES
-void add_knots(std::size_t groups, const double* weights, const double* shape,
-               std::span<const double> moments, double* q, double* v) {
+void add_breakpoints(std::size_t groups, const double* weights, const double* shape,
+                     std::span<const double> moments, double* q, double* v) {
   for (std::size_t group = 0; group < groups; ++group) {
     double q_sum[kLanes] = {};
     double v_sum[kLanes] = {};
     for (std::size_t m = 0; m < moments.size(); ++m) {
-      const double* w = weights + (group * kKnotTerms + m) * KnotWeights::kKinds * kLanes;
+      const double* w =
+          weights + (group * kBreakpointTerms + m) * BreakpointWeights::kKinds * kLanes;
       const double moment = moments[m];
 #pragma omp simd
       for (std::size_t j = 0; j < kLanes; ++j) {
-        q_sum[j] += moment * w[KnotWeights::kOfDisplacement * kLanes + j];
-        v_sum[j] += moment * w[KnotWeights::kOfVelocity * kLanes + j];
+        q_sum[j] += moment * w[BreakpointWeights::kOfDisplacement * kLanes + j];
+        v_sum[j] += moment * w[BreakpointWeights::kOfVelocity * kLanes + j];
       }
     }
 #pragma omp simd
@@ -250,9 +251,9 @@ void add_knots(std::size_t groups, const double* weights, const double* shape,
 }
 
 MICROSLIP_VECTOR_CLONES
-void couple_knots(std::size_t groups, const double* weights, const double* shape,
-                  const double* other, double* coupling) {
-  constexpr std::size_t kEach = kKnotTerms * KnotWeights::kKinds;
+void couple_breakpoints(std::size_t groups, const double* weights, const double* shape,
+                        const double* other, double* coupling) {
+  constexpr std::size_t kEach = kBreakpointTerms * BreakpointWeights::kKinds;
   for (std::size_t w = 0; w < kEach; ++w) {
     double lanes[kLanes] = {};
     for (std::size_t group = 0; group < groups; ++group) {
@@ -269,7 +270,7 @@ void couple_knots(std::size_t groups, const double* weights, const double* shape
 MICROSLIP_VECTOR_CLONES
 Energies inner_energies(std::size_t groups, double length, const double* weights,
                         const double* damping, const State& from, const State& to,
-                        const double* slope, const double* middle, const double* knots) {
+                        const double* slope, const double* middle, const double* breakpoints) {
   using Q = StepQuadrature;
   const State a = from;
   const State b = to;
@@ -294,14 +295,15 @@ Energies inner_energies(std::size_t groups, double length, const double* weights
       for (std::size_t j = 0; j < kLanes; ++j) {
         const std::size_t i = group * kLanes + j;
         // Pairs, which do not wait for each other.
-        const double v = ((w[Q::kE21 * kLanes + j] * a.displacement[i] +
-                           w[Q::kE22 * kLanes + j] * a.velocity[i]) +
-                          (w[Q::kC0 * kLanes + j] * (a.joint_load[i] + a.force[i]) +
-                           w[Q::kD0 * kLanes + j] * (a.joint_slope[i] + slope[i]))) +
-                         ((w[Q::kC1 * kLanes + j] * (b.joint_load[i] + b.force[i]) +
-                           w[Q::kD1 * kLanes + j] * (b.joint_slope[i] + slope[i])) +
-                          (w[Q::kCM * kLanes + j] * middle[i] +
-                           w[Q::kOfKnots * kLanes + j] * knots[point * groups * kLanes + i]));
+        const double v =
+            ((w[Q::kE21 * kLanes + j] * a.displacement[i] +
+              w[Q::kE22 * kLanes + j] * a.velocity[i]) +
+             (w[Q::kC0 * kLanes + j] * (a.joint_load[i] + a.force[i]) +
+              w[Q::kD0 * kLanes + j] * (a.joint_slope[i] + slope[i]))) +
+            ((w[Q::kC1 * kLanes + j] * (b.joint_load[i] + b.force[i]) +
+              w[Q::kD1 * kLanes + j] * (b.joint_slope[i] + slope[i])) +
+             (w[Q::kCM * kLanes + j] * middle[i] +
+              w[Q::kOfBreakpoints * kLanes + j] * breakpoints[point * groups * kLanes + i]));
         work[j] += weight * v * (a.force[i] + time * slope[i]);
         square[j] += weight * v * v;
       }

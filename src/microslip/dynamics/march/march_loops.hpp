@@ -12,7 +12,7 @@
 
 namespace microslip::march_loops {
 
-/// One number a mode each.
+/// One number per mode each.
 struct State {
   const double* displacement;  ///< q
   const double* velocity;      ///< q̇
@@ -35,7 +35,7 @@ void add_force(std::size_t groups, double kept, const double* shape, double valu
 void add_loads(std::size_t groups, double kept, const double* shape, double r, double r_dot,
                double r_middle, double* load, double* slope, double* middle);
 
-/// The same with those of a joint that shortens, gF and gḞ + ġF.
+/// Adds the loads of a joint with shortening, gF and gḞ + ġF.
 void add_shortening_loads(std::size_t groups, double kept, const double* shape, double r,
                           double r_dot, const double* g, const double* g_dot, double force,
                           double force_dot, double* load, double* slope);
@@ -74,38 +74,40 @@ using Coupling = std::array<double, kCouplings>;
 [[nodiscard]] Coupling couple(std::size_t groups, const double* weights, const double* shape,
                               const double* other);
 
-/// What one joint at the end of a step, and in its middle, takes off the slides of all.
+/// Subtracts the effect of one joint at the end of a step, and in its middle, from the slides of
+/// all.
 /// @param groups   of joints. @param coupling  of the joint with each, [kind][joint].
 void move_slides(std::size_t groups, const double* coupling, double r, double r_dot,
                  double r_middle, double* slide, double* slide_dot);
 
-/// The same of its knots. @param coupling  [term][kind][joint].
+/// Subtracts the effect of its breakpoints. @param coupling  [term][kind][joint].
 /// @param moments  the first that count.
-void move_slides_by_knots(std::size_t groups, const double* coupling,
-                          std::span<const double> moments, double* slide, double* slide_dot);
+void move_slides_by_breakpoints(std::size_t groups, const double* coupling,
+                                std::span<const double> moments, double* slide, double* slide_dot);
 
-/// What knots of one joint add to q and q̇: −ψ_i Σ_m w_im M_m.
-/// @param weights  of KnotWeights. @param moments  the first that count, at most kKnotTerms.
-void add_knots(std::size_t groups, const double* weights, const double* shape,
-               std::span<const double> moments, double* q, double* v);
+/// Adds the contribution of the breakpoints of one joint to q and q̇: −ψ_i Σ_m w_im M_m.
+/// @param weights  of BreakpointWeights. @param moments  the first that count, at most
+/// kBreakpointTerms.
+void add_breakpoints(std::size_t groups, const double* weights, const double* shape,
+                     std::span<const double> moments, double* q, double* v);
 
-/// Σ_i ψ_i w_im χ_i of two shapes, [term][kind], as KnotWeights has them.
-void couple_knots(std::size_t groups, const double* weights, const double* shape,
-                  const double* other, double* coupling);
+/// Σ_i ψ_i w_im χ_i of two shapes, [term][kind], as BreakpointWeights has them.
+void couple_breakpoints(std::size_t groups, const double* weights, const double* shape,
+                        const double* other, double* coupling);
 
 struct Energies {
   double input;  ///< ∫ force·q̇ dt, J
   double loss;   ///< Σ ηω ∫ q̇² dt, J
 };
 
-/// Over one step by StepQuadrature.
+/// Energies over one step by StepQuadrature.
 /// @param weights  of it. @param slope  of the external forces.
-/// @param middle   what the loads of the joints are more in the middle of the step.
-/// @param knots    −Σ_j ψ_ij ∫ e_j over the shares up to each inner point, [point][mode].
+/// @param middle   excess of the loads of the joints in the middle of the step.
+/// @param breakpoints    −Σ_j ψ_ij ∫ e_j over the shares up to each inner point, [point][mode].
 [[nodiscard]] Energies inner_energies(std::size_t groups, double length, const double* weights,
                                       const double* damping, const State& from, const State& to,
                                       const double* slope, const double* middle,
-                                      const double* knots);
+                                      const double* breakpoints);
 
 /// Over a piece of a step by q and q̇ and their derivatives at its ends, both of fourth order:
 /// ∫q dt = ½h(q₀ + q₁) + h²/12 (q̇₀ − q̇₁), and so of q̇².

@@ -11,9 +11,9 @@
 namespace microslip {
 
 /// The state at the first time; empty vectors are zeros, or, where there are static loads, the
-/// equilibrium under them. The joints are virgin but for the way to there.
+/// equilibrium under them. The joints are virgin before the path to it.
 struct InitialState {
-  std::vector<double> displacement = {};  ///< q_i, kg^½ m; one a mode; none with static loads
+  std::vector<double> displacement = {};  ///< q_i, kg^½ m; one per mode; none with static loads
   std::vector<double> velocity = {};      ///< q̇_i, kg^½ m/s
 };
 
@@ -29,7 +29,7 @@ struct MarchOptions {
   /// Points of the modal model whose motion is recorded; no two the same.
   std::vector<std::string> points = {};
   InitialState start = {};  ///< where it begins
-  /// What the implicit equations of a step may leave, over the largest joint force so far, 1; from
+  /// Tolerance of the implicit equations of a step, over the largest joint force so far, 1; from
   /// 1e-14 to 1e-4.
   double tolerance = 1e-8;
   /// Evaluations of the joints that one step may take; ≥ 2.
@@ -37,13 +37,13 @@ struct MarchOptions {
   /// The energy imbalance above which the march does not count as converged, 1; > 0.
   double largest_imbalance = 1e-4;
   /// Whether the error is estimated: each interval of the time axis is then cut into an even number
-  /// of steps, and marched beside it with half as many, for half the time again. Linear structures
-  /// are exact, and need none.
+  /// of steps, and marched again with half as many, for half the time again. Linear structures are
+  /// exact, and need none.
   bool estimate_error = true;
   /// The estimated error above which the march does not count as converged, 1; > 0.
   double largest_error = 1e-2;
-  /// Jenkins elements that stand for a joint whose normal load varies; ≥ 1, and more than its
-  /// density has atoms.
+  /// Jenkins elements of a joint whose normal load varies; ≥ 1, and more than its density has
+  /// atoms.
   std::size_t elements = 1000;
 };
 

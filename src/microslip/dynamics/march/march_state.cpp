@@ -18,11 +18,11 @@ constexpr double kLeastContraction = 1e-3;
 /// Rounds of Newton's method after which the tangents stay: the forces are continuous, so that they
 /// converge where tangents jump between two values.
 constexpr int kSettled = 8;
-/// A joint vibrates against all modes by no more than this in a step that goes over knots, rad: in
-/// longer ones its way is too far from a cubic, and cuts are more accurate.
+/// A joint vibrates against all modes by no more than this in a step that goes over breakpoints,
+/// rad: in longer ones its path is too far from a cubic, and cuts are more accurate.
 constexpr double kLargestJointAngle = 0.5;
-/// Of more joints than these it takes longer to couple each with each than to place them by the
-/// modes in the two rounds that a piece of a step takes.
+/// For more joints than these coupling each with each takes longer than placing them by the modes
+/// in the two rounds of a piece of a step.
 constexpr std::size_t kMostCoupled = 4;
 
 }  // namespace
@@ -35,9 +35,9 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
       joint_groups_(padded(hysteresis.size()) / kLanes),
       shortens_(structure.shortens()),
       cut_(structure.linear().modes()),
-      knot_weights_({}, {}),
+      breakpoint_weights_({}, {}),
       quadrature_(structure.linear().modes()),
-      knots_inside_(kInnerPoints * padded(structure.linear().size()), 0.0) {
+      breakpoints_inside_(kInnerPoints * padded(structure.linear().size()), 0.0) {
   const std::size_t lanes = groups_ * kLanes;
   for (auto* vector : {&stiffness_, &damping_, &q_, &v_, &load_, &load_slope_, &end_q_, &end_v_,
                        &end_load_, &end_load_slope_, &end_load_middle_, &end_force_, &end_a_,
@@ -55,8 +55,8 @@ MarchState::MarchState(const JointedStructure& structure, std::vector<MarchedJoi
   for (auto* vector : {&predicted_slide_, &predicted_slide_dot_, &slide_, &slide_dot_}) {
     vector->assign(joint_groups_ * kLanes, 0.0);
   }
-  knot_weights_ = KnotWeights(stiffness_, damping_);
-  longest_over_knots_ = coarseness * longest_step_over_knots(options.estimate_error);
+  breakpoint_weights_ = BreakpointWeights(stiffness_, damping_);
+  longest_over_breakpoints_ = coarseness * longest_step_over_breakpoints(options.estimate_error);
   couplings_.of_others = cut_couplings_.of_others = !shortens_ && !damped_;
   if (joints_.size() > kMostCoupled) cut_couplings_.of_others = false;
   loads_.normal.assign(joints_.size(), 1.0);
@@ -72,7 +72,7 @@ void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJ
               joint.series_compliance,
               damper,
               std::move(hysteresis),
-              JointWay(joint.joint)};
+              JointPath(joint.joint)};
   damped_ = damped_ || damper > 0.0;
   added.shape.resize(lanes, 0.0);
   added.g.assign(lanes, 0.0);
@@ -88,11 +88,11 @@ void MarchState::add_joint(const StructuralJoint& joint, double damper, MarchedJ
   joints_.push_back(std::move(added));
 }
 
-/// s; 0 where no step goes over knots.
+/// s; 0 where no step goes over breakpoints.
 /// @param beside_longer  twice the step must, too.
-double MarchState::longest_step_over_knots(bool beside_longer) const {
+double MarchState::longest_step_over_breakpoints(bool beside_longer) const {
   if (shortens_ || damped_) return 0.0;
-  double longest = (beside_longer ? 0.5 : 1.0) * knot_weights_.longest();
+  double longest = (beside_longer ? 0.5 : 1.0) * breakpoint_weights_.longest();
   for (const Joint& joint : joints_) {
     if (joint.hysteresis.is_network()) return 0.0;
     double square = 0.0;  // 1/kg
@@ -136,7 +136,7 @@ void MarchState::begin(std::size_t j) {
 
 /// ÿ where a step begins, by the modes.
 void MarchState::begin_accelerations() {
-  if (longest_over_knots_ == 0.0) return;
+  if (longest_over_breakpoints_ == 0.0) return;
   march_loops::accelerate(groups_, stiffness_.data(), damping_.data(), load_.data(),
                           loads_.force.data(), q_.data(), v_.data(), end_a_.data());
   for (Joint& joint : joints_) {
@@ -224,7 +224,7 @@ void MarchState::interpolate(double share, double length) {
 }
 
 /// R, Ṙ, F and Ḟ of the joints at the end of the step, from those predicted.
-bool MarchState::solve(const StepWeights& weights, Couplings& couplings, Knots knots) {
+bool MarchState::solve(const StepWeights& weights, Couplings& couplings, Breakpoints breakpoints) {
   const double h = weights.length();
   march_loops::predict(
       groups_, weights.data(), h,
@@ -237,17 +237,18 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings, Knots k
     predicted_slide_[j] = slide.q;
     predicted_slide_dot_[j] = slide.v;
   }
-  // Changes fall by about one factor: what is left after one is their geometric series. The factor
+  // Changes fall by about one factor: the remainder after one is their geometric series. The factor
   // is that of steps before, mistrusted more from step to step until it is measured again.
   double before = 0.0;
   for (Joint& joint : joints_) {
-    joint.way.forget();
+    joint.path.forget();
     joint.middle = 0.0;
   }
   for (int i = 0; i < max_iterations_ && !joints_.empty(); ++i) {
     place(weights, couplings);
-    const Ways ways = knots == Knots::kAllowed ? find_ways(h, couplings) : Ways::kSame;
-    if (ways == Ways::kUnclear) return false;
+    const Paths paths =
+        breakpoints == Breakpoints::kAllowed ? find_paths(h, couplings) : Paths::kSame;
+    if (paths == Paths::kUnclear) return false;
     double change = 0.0;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       change = std::max(change, update(j, couplings, h, i >= kSettled));
@@ -255,10 +256,11 @@ bool MarchState::solve(const StepWeights& weights, Couplings& couplings, Knots k
     last_change_ = change;
     if (!std::isfinite(change)) return false;
     // The middle is far from its place in the first round.
-    if (knots == Knots::kAllowed) {
+    if (breakpoints == Breakpoints::kAllowed) {
       last_change_ = change = std::max(change, add_inner_forces(h, i > 0, couplings));
     }
-    if (ways == Ways::kOthers && i < kSettled) {  // what new knots add is not in this change
+    if (paths == Paths::kOthers &&
+        i < kSettled) {  // what new breakpoints add is not in this change
       before = change;
       contraction_ = 1.0;
       continue;
@@ -290,9 +292,10 @@ void MarchState::place(const StepWeights& weights, const Couplings& couplings) {
     march_loops::move_slides(
         joint_groups_, couplings.ends.data() + l * march_loops::kCouplings * lanes, joint.end.r,
         joint.end.r_dot, joint.middle, slide_.data(), slide_dot_.data());
-    if (joint.way.knots().empty()) continue;
-    march_loops::move_slides_by_knots(
-        joint_groups_, couplings.knots.data() + l * kKnotTerms * KnotWeights::kKinds * lanes,
+    if (joint.path.breakpoints().empty()) continue;
+    march_loops::move_slides_by_breakpoints(
+        joint_groups_,
+        couplings.breakpoints.data() + l * kBreakpointTerms * BreakpointWeights::kKinds * lanes,
         moments_of(joint), slide_.data(), slide_dot_.data());
   }
   for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -320,39 +323,40 @@ void MarchState::place_by_modes(const StepWeights& weights) {
   }
 }
 
-/// Where the joints turn, and where their tangents jump, on the way to where they were placed.
-MarchState::Ways MarchState::find_ways(double length, Couplings& couplings) {
-  Ways ways = Ways::kSame;
+/// Finds where the joints turn, and where their tangents jump, on the paths to their present
+/// places.
+MarchState::Paths MarchState::find_paths(double length, Couplings& couplings) {
+  Paths paths = Paths::kSame;
   for (Joint& joint : joints_) {
     const Kinematics& b = joint.begin;
-    const std::size_t knots = joint.way.knots().size();
-    if (!joint.way.follow({joint.hysteresis.follower(), joint.direction, b.force, joint.kink,
-                           joint.compliance, kQuiet * joint.largest_gap},
-                          path(joint, length))) {
-      return Ways::kUnclear;
+    const std::size_t breakpoints = joint.path.breakpoints().size();
+    if (!joint.path.follow({joint.hysteresis.follower(), joint.direction, b.force, joint.kink,
+                            joint.compliance, kQuiet * joint.largest_gap},
+                           path(joint, length))) {
+      return Paths::kUnclear;
     }
-    if (joint.way.knots().size() == knots) continue;
-    ways = Ways::kOthers;
-    couple_knots(length, couplings);
+    if (joint.path.breakpoints().size() == breakpoints) continue;
+    paths = Paths::kOthers;
+    couple_breakpoints(length, couplings);
   }
-  return ways;
+  return paths;
 }
 
-void MarchState::couple_knots(double length, Couplings& couplings) {
-  knot_weights_.set_length(length);
-  if (!couplings.of_others || couplings.knot_length == length) return;
-  couplings.knot_length = length;
-  constexpr std::size_t kEach = kKnotTerms * KnotWeights::kKinds;
+void MarchState::couple_breakpoints(double length, Couplings& couplings) {
+  breakpoint_weights_.set_length(length);
+  if (!couplings.of_others || couplings.breakpoint_length == length) return;
+  couplings.breakpoint_length = length;
+  constexpr std::size_t kEach = kBreakpointTerms * BreakpointWeights::kKinds;
   const std::size_t lanes = joint_groups_ * kLanes;
-  couplings.knots.resize(joints_.size() * kEach * lanes);
+  couplings.breakpoints.resize(joints_.size() * kEach * lanes);
   std::array<double, kEach> both;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     for (std::size_t l = 0; l <= j; ++l) {
-      march_loops::couple_knots(groups_, knot_weights_.data(), joints_[j].shape.data(),
-                                joints_[l].shape.data(), both.data());
+      march_loops::couple_breakpoints(groups_, breakpoint_weights_.data(), joints_[j].shape.data(),
+                                      joints_[l].shape.data(), both.data());
       for (std::size_t w = 0; w < kEach; ++w) {
-        couplings.knots[(j * kEach + w) * lanes + l] = both[w];
-        couplings.knots[(l * kEach + w) * lanes + j] = both[w];
+        couplings.breakpoints[(j * kEach + w) * lanes + l] = both[w];
+        couplings.breakpoints[(l * kEach + w) * lanes + j] = both[w];
       }
     }
   }
@@ -372,16 +376,17 @@ StepCubic MarchState::force_cubic(const Joint& joint, double length) {
   return {b.force, b.force_dot, k.force, k.force_dot, length};
 }
 
-/// What the forces inside of the step are more than the cubics through those found at its ends.
-/// @return what it changes in the force of a joint by its own motion, relative.
+/// Adds the excess of the forces inside of the step over the cubics through those at its ends.
+/// @return the change of the force of a joint by its own motion, relative.
 double MarchState::add_inner_forces(double length, bool middles, const Couplings& couplings) {
   double change = 0.0;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     Joint& joint = joints_[j];
     const Kinematics& k = joint.end;
     const StepCubic force = force_cubic(joint, length);
-    if (!joint.way.knots().empty()) {
-      joint.moments = knot_moments(joint.way.knots(), force, knot_weights_.terms());
+    if (!joint.path.breakpoints().empty()) {
+      joint.moments =
+          breakpoint_moments(joint.path.breakpoints(), force, breakpoint_weights_.terms());
       joint.middle = 0.0;
     } else if (middles && joint.direction != 0) {
       const double before = joint.middle;
@@ -395,8 +400,8 @@ double MarchState::add_inner_forces(double length, bool middles, const Couplings
   return change;
 }
 
-/// Of a step without knots: F(u) in the middle, with u + cF = y by one step of Newton's method from
-/// the cubic, less the cubic.
+/// For a step without breakpoints: F(u) in the middle, with u + cF = y by one step of Newton's
+/// method from the cubic, less the cubic.
 double MarchState::middle_force(const Joint& joint, const StepCubic& force, double length) {
   const double cubic = force.value(0.5);
   const auto [found, tangent] = joint.hysteresis.follower().response(
@@ -404,7 +409,7 @@ double MarchState::middle_force(const Joint& joint, const StepCubic& force, doub
   return (found - cubic) / (1.0 + tangent * joint.compliance);
 }
 
-/// ÿ of the joints at the end of a step, after this length, from what acts on the modes there.
+/// ÿ of the joints at the end of a step, after this length, from the loads on the modes there.
 void MarchState::accelerate(double length) {
   for (std::size_t i = 0; i < end_a_.size(); ++i) {
     end_force_[i] = loads_.force[i] + length * loads_.slope[i];
@@ -430,9 +435,9 @@ void MarchState::drive_damper(const Joint& joint, double tangent, Kinematics& k)
   k.u_dot = (k.gap_dot - joint.compliance * joint.damper * k.u_ddot) / soft;
 }
 
-/// One step of Newton's method for R and Ṙ of a joint, what it does to others and by shortening
+/// One step of Newton's method for R and Ṙ of a joint, its effect on others and by shortening is
 /// left to the next round: that is small where the step is.
-/// @return what changed, relative.
+/// @return the relative change.
 double MarchState::update(std::size_t j, const Couplings& couplings, double length, bool settled) {
   ++evaluations_;
   Joint& joint = joints_[j];
@@ -441,11 +446,12 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   const double load = normal_load(j, length);
   if (!std::isfinite(k.gap - c * k.force)) return HUGE_VAL;
   const double u = k.gap - c * k.force;
-  const auto [force, new_tangent] = joint.way.knots().empty() ? joint.hysteresis.trial(u, load)
-                                                              : joint.way.follower().response(u);
+  const auto [force, new_tangent] = joint.path.breakpoints().empty()
+                                        ? joint.hysteresis.trial(u, load)
+                                        : joint.path.follower().response(u);
   if (!settled) joint.tangent = new_tangent;
   const double tangent = joint.tangent;
-  // A division on the way of everything else, where most joints have nothing in series.
+  // A division on the critical path, while most joints have nothing in series.
   const double soft = c == 0.0 ? 1.0 : 1.0 / (1.0 + tangent * c);
   const double stiffness = tangent * soft;  // with what is in series
   drive_damper(joint, tangent, k);
@@ -477,7 +483,7 @@ double MarchState::update(std::size_t j, const Couplings& couplings, double leng
   return change == 0.0 ? 0.0 : change / scale;
 }
 
-/// What the joints at the end of the step do to the modes.
+/// Loads of the joints on the modes at the end of the step.
 void MarchState::load_modes() {
   double kept = 0.0;
   for (const Joint& joint : joints_) {
@@ -500,9 +506,9 @@ void MarchState::correct(const StepWeights& weights) {
                        end_load_.data(), end_load_slope_.data(), end_load_middle_.data(),
                        end_q_.data(), end_v_.data());
   for (const Joint& joint : joints_) {
-    if (joint.way.knots().empty()) continue;
-    march_loops::add_knots(groups_, knot_weights_.data(), joint.shape.data(), moments_of(joint),
-                           end_q_.data(), end_v_.data());
+    if (joint.path.breakpoints().empty()) continue;
+    march_loops::add_breakpoints(groups_, breakpoint_weights_.data(), joint.shape.data(),
+                                 moments_of(joint), end_q_.data(), end_v_.data());
   }
 }
 

@@ -20,28 +20,28 @@
 
 namespace microslip {
 
-/// The state of a structure in a march and its way over one step. Internal to dynamics.
+/// The state of a structure in a march and its path over one step. Internal to dynamics.
 ///
 /// Where joints turn or their tangents jump in a step their forces are piecewise cubics over it
-/// (step_knots.hpp). Where that is not possible – joints that shorten the structure, have dampers
-/// beside them or a varying normal load, modes that a step does not resolve – or does not converge,
-/// the step is cut at these places.
+/// (step_breakpoints.hpp). Where that is not possible – joints with shortening, parallel dampers or
+/// a varying normal load, modes that a step does not resolve – or does not converge, the step is
+/// cut at these places.
 class MarchState {
  public:
-  /// @param hysteresis  one a joint of the structure.
-  /// @param coarseness  by how many times its steps are longer than those of the march whose error
-  ///     it tells: both go over knots, or both are cut, so that their errors are of one order.
+  /// @param hysteresis  one per joint of the structure.
+  /// @param coarseness  ratio of its steps to those of the march whose error it estimates: both
+  ///     step over breakpoints, or both are cut, so that their errors are of one order.
   MarchState(const JointedStructure& structure, std::vector<MarchedJoint> hysteresis,
              const MarchOptions& options, double coarseness = 1.0);
 
-  /// What acts: the force on each mode and the load of each joint, with their slopes in time.
+  /// Loads: the force on each mode and the normal load of each joint, with their slopes in time.
   struct Loads {
-    std::vector<double> force;         ///< one a mode, padded by zeros, N kg^−½
+    std::vector<double> force;         ///< one per mode, padded by zeros, N kg^−½
     std::vector<double> slope;         ///< per second
-    std::vector<double> normal;        ///< p, one a joint
+    std::vector<double> normal;        ///< p, one per joint
     std::vector<double> normal_slope;  ///< per second
   };
-  /// Nothing at first and p = 1. What is set here holds from now on, and moves along by itself.
+  /// Initially none and p = 1. Values set here apply from now on, and advance with their slopes.
   [[nodiscard]] Loads& loads() { return loads_; }
 
   /// Goes to this state under the loads that were set.
@@ -61,7 +61,7 @@ class MarchState {
   /// Loops that closed, atoms that began to slip and jumps of densities that were passed.
   [[nodiscard]] std::size_t kinks() const { return kinks_; }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
-  /// Of the last step that did not converge: relative change of the joint forces.
+  /// Relative change of the joint forces in the last step that did not converge.
   [[nodiscard]] double last_change() const { return last_change_; }
   [[nodiscard]] MarchEnergy energy() const;
 
@@ -77,7 +77,7 @@ class MarchState {
     double force_dot = 0.0;  ///< N/s
     double u_dot = 0.0;      ///< u̇ at the damper, m/s
     double u_ddot = 0.0;     ///< m/s²
-    double r = 0.0;          ///< R = force − k_s s, N: what the modes do not hold already
+    double r = 0.0;          ///< R = force − k_s s, N: less the springs in the modes
     double r_dot = 0.0;      ///< N/s
   };
   /// Second derivatives over the last step.
@@ -87,59 +87,60 @@ class MarchState {
   };
   struct Joint {
     std::vector<double> shape;  ///< ψ, padded
-    std::vector<double> gamma;  ///< Γ by padded rows; empty where nothing shortens
+    std::vector<double> gamma;  ///< Γ by padded rows; empty without shortening
     double spring;              ///< k_s, N/m
     double compliance;          ///< c, m/N
-    double damper;              ///< beside F, N s/m
+    double damper;              ///< parallel to F, N s/m
     MarchedJoint hysteresis;
-    JointWay way;              ///< over the step that is tried
-    KnotMoments moments = {};  ///< of its knots, if it has any
-    double middle = 0.0;       ///< F in the middle of a step without knots, less the cubic there, N
+    JointPath path;                  ///< over the step that is tried
+    BreakpointMoments moments = {};  ///< of its breakpoints, if it has any
+    double middle =
+        0.0;  ///< F in the middle of a step without breakpoints, less the cubic there, N
     Kinematics begin = {};
     Kinematics end = {};
     Curvature curvature = {};
     std::vector<double> g = {};      ///< Γq at the end
     std::vector<double> g_dot = {};  ///< Γq̇
     int direction = 0;               ///< of the motion; 0 before the first
-    bool turned_here = false;        ///< at the present place, without a way to there
+    bool turned_here = false;        ///< at the present place, without a path to it
     double kink = HUGE_VAL;          ///< y at which the tangent jumps next, m
     double tangent = 0.0;            ///< dF/du in the equations of the step, N/m
     double damped = 0.0;             ///< lost in the damper, J
     double largest_force = 0.0;      ///< |F| so far, N
     double largest_gap = 0.0;        ///< |y| so far, m
   };
-  /// Σ_i ψ_ij w_i ψ_il for the weights w of the loads at the end, in the middle and of knots: how
-  /// far they move the slides. Joints are padded as modes are.
+  /// Σ_i ψ_ij w_i ψ_il for the weights w of the loads at the end, in the middle and of breakpoints:
+  /// their effect on the slides. Joints are padded as modes are.
   struct Couplings {
     double length = 0.0;
     bool of_others = true;     ///< those off the diagonal, too
     std::vector<double> ends;  ///< [joint][march_loops::CouplingKind][joint]
-    double knot_length = 0.0;
-    std::vector<double> knots;  ///< [joint][kKnotTerms][KnotWeights::Kind][joint]
+    double breakpoint_length = 0.0;
+    std::vector<double> breakpoints;  ///< [joint][kBreakpointTerms][BreakpointWeights::Kind][joint]
   };
   /// Motion over a step below this share of the largest is rounding.
   static constexpr double kQuiet = 1e-13;
-  /// What happens first in a step: a joint turns, or its tangent jumps.
+  /// The first event in a step: a joint turns, or its tangent jumps.
   struct Change {
-    double share = 1.0;     ///< of the step; 1 where nothing does, 0 where it is behind already
+    double share = 1.0;     ///< of the step; 1 without a change, 0 where it is passed already
     std::size_t joint = 0;  ///< of which
-    bool turns = false;     ///< or else it comes to a kink
+    bool turns = false;     ///< otherwise it reaches a kink
   };
   /// In the step, after the length. Rounding makes no load that falls to 0 a negative one.
   [[nodiscard]] double normal_load(std::size_t j, double length) const {
     return std::max(0.0, loads_.normal[j] + length * loads_.normal_slope[j]);
   }
-  /// By which a joint moves itself.
+  /// The coupling of a joint with itself.
   [[nodiscard]] double own_coupling(const Couplings& couplings, march_loops::CouplingKind kind,
                                     std::size_t j) const {
     const std::size_t lanes = joint_groups_ * kLanes;
     return couplings.ends[(j * march_loops::kCouplings + kind) * lanes + j];
   }
   [[nodiscard]] std::span<const double> moments_of(const Joint& joint) const {
-    return std::span(joint.moments).first(knot_weights_.terms());
+    return std::span(joint.moments).first(breakpoint_weights_.terms());
   }
   void add_joint(const StructuralJoint& joint, double damper, MarchedJoint hysteresis);
-  [[nodiscard]] double longest_step_over_knots(bool beside_longer) const;
+  [[nodiscard]] double longest_step_over_breakpoints(bool beside_longer) const;
   void begin(std::size_t j);
   void begin_dampers();
   void couple(const StepWeights& weights, Couplings& couplings) const;
@@ -148,18 +149,19 @@ class MarchState {
   void extrapolate(double length);
   void interpolate(double share, double length);
   /// Whether joints may turn, and their tangents jump, in a step that is solved.
-  enum class Knots { kNone, kAllowed };
-  [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings, Knots knots);
-  [[nodiscard]] bool step_over_knots(const StepWeights& weights);
-  enum class Ways { kSame, kOthers, kUnclear };
-  [[nodiscard]] Ways find_ways(double length, Couplings& couplings);
-  void couple_knots(double length, Couplings& couplings);
+  enum class Breakpoints { kNone, kAllowed };
+  [[nodiscard]] bool solve(const StepWeights& weights, Couplings& couplings,
+                           Breakpoints breakpoints);
+  [[nodiscard]] bool step_over_breakpoints(const StepWeights& weights);
+  enum class Paths { kSame, kOthers, kUnclear };
+  [[nodiscard]] Paths find_paths(double length, Couplings& couplings);
+  void couple_breakpoints(double length, Couplings& couplings);
   [[nodiscard]] static StepQuartic path(const Joint& joint, double length);
   [[nodiscard]] static StepCubic force_cubic(const Joint& joint, double length);
   [[nodiscard]] double add_inner_forces(double length, bool middles, const Couplings& couplings);
   [[nodiscard]] static double middle_force(const Joint& joint, const StepCubic& force,
                                            double length);
-  void pass_knots(Joint& joint);
+  void pass_breakpoints(Joint& joint);
   [[nodiscard]] static Curvature curvature(const Joint& joint, double length);
   void place(const StepWeights& weights, const Couplings& couplings);
   void place_by_modes(const StepWeights& weights);
@@ -199,11 +201,11 @@ class MarchState {
   std::vector<Joint> joints_;
   Loads loads_;
   StepWeights cut_;  // of parts of a step
-  KnotWeights knot_weights_;
+  BreakpointWeights breakpoint_weights_;
   StepQuadrature quadrature_;
-  std::vector<double> knots_inside_;  // of march_loops::inner_energies()
-  bool any_knots_inside_ = false;     // else it is zero
-  double longest_over_knots_ = 0.0;   // step, s
+  std::vector<double> breakpoints_inside_;  // of march_loops::inner_energies()
+  bool any_breakpoints_inside_ = false;     // else it is zero
+  double longest_over_breakpoints_ = 0.0;   // step, s
   Couplings couplings_, cut_couplings_;
   double contraction_ = 1.0;  // from one change of the joint forces to the next
   double initial_energy_ = 0.0;

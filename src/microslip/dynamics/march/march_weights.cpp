@@ -18,7 +18,7 @@ ImpulseResponse vibrating_response(double delta, double theta_squared) {
   return {ratio, decay * std::cos(frequency) - delta * ratio};
 }
 
-/// By the roots −δ ± √(δ² − θ²), real or not.
+/// The response by the roots −δ ± √(δ² − θ²), real or not.
 ImpulseResponse decaying_response(double delta, double theta_squared) {
   using Complex = std::complex<double>;
   const Complex root = std::sqrt(Complex(delta * delta - theta_squared, 0.0));
@@ -42,8 +42,8 @@ namespace {
 
 constexpr std::size_t kPowers = 5;
 
-/// Of q″ + 2δq′ + θ²q = τᵐ over τ from 0 to 1, from rest: q(1) for m = 0 … 4, and the impulse
-/// response g(1), its slope g′(1) and g′ + 2δg, the response to q(0) = 1. δ = ½ηωh, θ = ωh.
+/// Responses of q″ + 2δq′ + θ²q = τᵐ over τ from 0 to 1, from rest: q(1) for m = 0 … 4, and the
+/// impulse response g(1), its slope g′(1) and g′ + 2δg, the response to q(0) = 1. δ = ½ηωh, θ = ωh.
 struct Responses {
   std::array<double, kPowers> power;
   double impulse;
@@ -52,7 +52,7 @@ struct Responses {
 };
 
 constexpr std::size_t kMostTerms = 100;
-/// Added before it is looked whether they were the last.
+/// Terms added between checks whether they were the last.
 constexpr std::size_t kTermsAtOnce = 4;
 
 /// 1/(n(n + 1)); n from 1.
@@ -64,7 +64,7 @@ constexpr std::array<double, kMostTerms + 8> kInverseProducts = [] {
   return values;
 }();
 
-/// Those of a group of modes, and what they depend on.
+/// The responses of a group of modes, and their parameters.
 struct GroupResponses {
   double delta[kLanes];
   double theta_squared[kLanes];
@@ -88,10 +88,10 @@ inline void add_term(const GroupResponses& r, std::size_t n, double* before, dou
   }
 }
 
-// By the series for m = 3 and 4, both at once, as each waits for its own last term. The terms fall
-// from (θ, 2δ)ᵏ/k! on.
-// Here and in closed form τᵐ goes from one to the next by θ²q_m = 1 − 2δ q_m′ − q_m″, with q_m′ =
-// m q_{m−1}: stable down for a small θ, where the other way divides by it, and up for a large one.
+// Responses by the series for m = 3 and 4, both at once, as each waits for its own last term. The
+// terms fall from (θ, 2δ)ᵏ/k! on. Here and in closed form τᵐ goes from one to the next by θ²q_m = 1
+// − 2δ q_m′ − q_m″, with q_m′ = m q_{m−1}: stable down for a small θ, where the other direction
+// divides by it, and up for a large one.
 MICROSLIP_VECTOR_CLONES
 void by_series(GroupResponses& r) {
   double before[2][kLanes] = {};

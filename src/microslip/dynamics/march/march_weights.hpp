@@ -9,8 +9,8 @@
 
 namespace microslip {
 
-/// Modes come in groups of this many, each a lane of the loops over modes; the last is filled up
-/// with modes of no weight. Internal to dynamics.
+/// Modes come in groups of this many, each a lane of the loops over modes; the last is padded with
+/// modes of no weight. Internal to dynamics.
 inline constexpr std::size_t kLanes = 8;
 
 /// The least number of lanes for so many modes.
@@ -25,8 +25,8 @@ struct ImpulseResponse {
 };
 [[nodiscard]] ImpulseResponse impulse_response(double delta, double theta_squared);
 
-/// What a step of length h makes of the state (q, q̇) and the load p of a mode, p over the step the
-/// cubic with the values and slopes at its ends (Hermite) and what it is more than that in the
+/// The effect of a step of length h on the state (q, q̇) of a mode under the load p, p over the
+/// step the cubic with the values and slopes at its ends (Hermite) and its excess over that in the
 /// middle, p_m·16τ²(1 − τ)²: with τ = t/h
 ///
 ///     q₁ = e₁₁q₀ + e₁₂q̇₀ + a₀p₀ + b₀ṗ₀ + a₁p₁ + b₁ṗ₁ + a_m p_m

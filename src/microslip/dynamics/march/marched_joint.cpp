@@ -21,7 +21,7 @@ MarchedJoint::Response MarchedJoint::trial(double u, double load) {
   if (!network_) return follower_.response(u);
   network_->tried = network_->memory;
   const double force = network_->tried.advance(u, load);
-  // The elements know no tangent: the chord of the step stands for it.
+  // The elements have no tangent: the chord of the step is used.
   const double stiff = load * joint_->joint.stiffness();
   const double chord = u == u_ ? stiff : (force - force_) / (u - u_);
   return {force, std::clamp(chord, 0.0, stiff)};

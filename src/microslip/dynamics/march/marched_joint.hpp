@@ -29,13 +29,13 @@ class MarchedJoint {
   double advance(double u, double load);
   /// Takes it where its force is known, N. @return F, N; of a network that of its elements.
   double settle(double u, double load, double force);
-  /// Says that the motion turns here, or that it begins: from here on it goes in this direction, +1
-  /// or −1. What the way to here dissipated is counted.
+  /// Reverses the motion here, or begins it: from here on it goes in this direction, +1 or −1. The
+  /// dissipation up to here is added.
   void turn(int direction);
-  /// Says that the motion turned at u, on the way that another follower went, which is taken over
-  /// afterwards. @param force  F there, N.
+  /// Records a reversal at u, on the path of another follower, which is taken over afterwards.
+  /// @param force  F there, N.
   void turned(double u, double force);
-  /// Goes on from where the other stands, which is left with no use.
+  /// Continues from the state of the other, which must not be used any more.
   void take_over(CurveFollower& other) { std::swap(follower_, other); }
 
   void pass_kink() { follower_.pass_kink(); }
@@ -55,8 +55,8 @@ class MarchedJoint {
   /// k, N/m: right after a reversal.
   [[nodiscard]] double stuck_stiffness() const { return joint_->joint.stiffness(); }
 
-  /// The displacement from rest over which the joint and what is in series with it part by y, u +
-  /// cF(u) = y, on the virgin curve at the load p, p times that at 1.
+  /// The displacement from rest at which the joint and the compliance in series move apart by y, u
+  /// + cF(u) = y, on the virgin curve at the load p, p times that at 1.
   [[nodiscard]] double displacement_at(double y, double load) const;
 
  private:
@@ -72,11 +72,11 @@ class MarchedJoint {
 
   const StructuralJoint* joint_;
   CurveFollower follower_;
-  Memory turned_;  ///< where the motion turned last
+  Memory turned_;  ///< at the last reversal
   std::unique_ptr<Network> network_;
   double u_ = 0.0;
   double force_ = 0.0;
-  double dissipation_ = 0.0;  ///< up to the last turn
+  double dissipation_ = 0.0;  ///< up to the last reversal
   double work_ = 0.0;         ///< of a network
 };
 

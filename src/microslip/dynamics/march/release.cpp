@@ -34,7 +34,7 @@ InitialState released(const JointedStructure& structure, std::string_view point,
     const double moved = std::inner_product(shape.begin(), shape.end(), q.begin(), 0.0);
     if (std::abs(moved) <= kStandsStill * most) {
       throw InputError(name, fmt::format("no motion at '{}'", point), "must move the point",
-                       "Take a point that is no node of the mode.");
+                       "Take a point that is not a node of the mode.");
     }
     for (std::size_t i = 0; i < q.size(); ++i) {
       start.displacement[i] += one.displacement / moved * q[i];

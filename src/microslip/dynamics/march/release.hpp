@@ -16,12 +16,12 @@ struct DrawnMode {
   double displacement;  ///< of its part at the point, m; not 0
 };
 
-/// Where a structure is let go at rest for a free decay: the sum of the shapes of stuck modes (see
-/// JointedStructure::stuck_mode), each with its displacement at a point. The joints go there on the
-/// virgin curve.
-/// @param structure  that is let go.
+/// The initial state of a structure released at rest for a free decay: the sum of the shapes of
+/// stuck modes (see JointedStructure::stuck_mode), each with its displacement at a point. The
+/// joints reach it on the virgin curve.
+/// @param structure  the structure.
 /// @param point      of the modal model.
-/// @param modes      drawn aside.
+/// @param modes      deflected modes.
 /// @throws InputError  for a mode that there is not, one named twice, one that does not move the
 ///                     point, a displacement that is 0 or not finite.
 [[nodiscard]] InitialState released(const JointedStructure& structure, std::string_view point,

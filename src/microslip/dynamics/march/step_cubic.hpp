@@ -23,8 +23,8 @@ struct StepCubic {
   double start, v0, v1, c, b;
 };
 
-/// The same with the second derivative at the beginning, too: the cubic and what x²(1 − x)² adds to
-/// it, which leaves the values and slopes at the ends.
+/// A signal over a step that also has the second derivative at the beginning: the cubic plus a
+/// multiple of x²(1 − x)², which leaves the values and slopes at the ends.
 class StepQuartic {
  public:
   /// @param bend  at the beginning, over the share squared.
@@ -42,7 +42,7 @@ class StepQuartic {
     return v0 + x * (2.0 * b + x * (3.0 * c + 4.0 * x * d));
   }
   [[nodiscard]] double bend(double x) const { return 2.0 * b + x * (6.0 * c + 12.0 * x * d); }
-  /// Of the bend.
+  /// Slope of the bend.
   [[nodiscard]] double bend_slope(double x) const { return 6.0 * c + 24.0 * x * d; }
   double start, v0, v1, b, d, c;
 };

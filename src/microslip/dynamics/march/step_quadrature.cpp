@@ -6,15 +6,15 @@
 namespace microslip {
 namespace {
 
-/// What a load over a step is over the first part of it: its value and slope at the end of the
-/// part, and what it is in the middle of the part more than the cubic through the ends of that.
+/// A load over the first part of a step: its value and slope at the end of the part, and its excess
+/// in the middle of the part over the cubic through the ends of that.
 struct PartialLoad {
   double value;
   double slope;  // over the share of the step
   double middle;
 };
 
-/// Of p_m 16x²(1 − x)² with p_m = 1.
+/// The part of p_m 16x²(1 − x)² with p_m = 1.
 PartialLoad bump_until(double share) {
   const auto bump = [](double x) { return 16.0 * x * x * (1.0 - x) * (1.0 - x); };
   const double slope = 32.0 * share * (1.0 - share) * (1.0 - 2.0 * share);
@@ -22,7 +22,7 @@ PartialLoad bump_until(double share) {
   return {bump(share), slope, bump(0.5 * share) - cubic};
 }
 
-/// Of the cubic with these values and slopes, over the share, at the ends of the step.
+/// The part of the cubic with these values and slopes, over the share, at the ends of the step.
 PartialLoad cubic_until(double share, const StepCubic& cubic) {
   return {cubic.value(share), cubic.slope(share), 0.0};
 }
@@ -66,7 +66,8 @@ void StepQuadrature::set_length(double length) {
     }
     for (std::size_t i = 0; i < modes_.size(); ++i) {
       const double angle = modes_[i].angular_frequency * 0.5 * share * length;
-      weights_[((i / kLanes * kInnerPoints + point) * kKinds + kOfKnots) * kLanes + i % kLanes] =
+      weights_[((i / kLanes * kInnerPoints + point) * kKinds + kOfBreakpoints) * kLanes +
+               i % kLanes] =
           length * impulse_response(0.5 * modes_[i].loss_factor * angle, angle * angle).slope;
     }
   }

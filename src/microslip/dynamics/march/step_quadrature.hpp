@@ -19,22 +19,22 @@ inline constexpr std::array<double, kInnerPoints> kInnerWeight{49.0 / 180.0, 16.
                                                                49.0 / 180.0};
 inline constexpr double kEndWeight = 1.0 / 20.0;
 
-/// The velocity of each mode at these points of a step of length h, for the load that StepWeights
-/// takes over it: with what it has at its ends and in the middle
+/// The velocity of each mode at these points of a step of length h, for the load of StepWeights
+/// over it: with its values at the ends and in the middle
 ///
 ///     q̇ = e₂₁q₀ + e₂₂q̇₀ + c₀p₀ + d₀ṗ₀ + c₁p₁ + d₁ṗ₁ + c_m p_m
 ///
-/// so that ∫ f q̇ dt and ∫ q̇² dt are those of the motion, whatever a step is of a period. What
-/// knots inside of the step (step_knots.hpp) add up to the time t, ∫ ġ(t − τ) e dτ, is taken as
-/// ġ(½t) ∫ e dτ.
+/// so that ∫ f q̇ dt and ∫ q̇² dt are those of the motion, whatever the step over the period. The
+/// contribution of breakpoints inside of the step (step_breakpoints.hpp) up to the time t, ∫ ġ(t −
+/// τ) e dτ, is taken as ġ(½t) ∫ e dτ.
 class StepQuadrature {
  public:
   /// The order in which weights of a point stand, kLanes each.
-  enum Kind { kE21, kE22, kC0, kD0, kC1, kD1, kCM, kOfKnots, kKinds };
+  enum Kind { kE21, kE22, kC0, kD0, kC1, kD1, kCM, kOfBreakpoints, kKinds };
 
   explicit StepQuadrature(std::span<const Mode> modes);
 
-  /// Does nothing where that is its length already. @param length  h, s; > 0.
+  /// Without effect if that is its length already. @param length  h, s; > 0.
   void set_length(double length);
 
   /// [group][point][kind][lane].

@@ -7,7 +7,7 @@
 #include "microslip/dynamics/structure/bracketed_newton.hpp"
 
 /// @file
-/// The way of a MarchState over a step: pieces that end where a joint turns or its tangent jumps.
+/// The steps of a MarchState in pieces that end where a joint turns or its tangent jumps.
 
 namespace microslip {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kNear = 1e-9;
 constexpr double kStepRounding = 1e-12;
 /// Shares of a step are found to this.
 constexpr double kShareRounding = 1e-12;
-/// Turns and kinks in one step; where there are more the joint is at rest but for rounding.
+/// Turns and kinks in one step; where there are more the joint is at rest up to rounding.
 constexpr int kMostChanges = 100;
 /// Pieces of a step that are shorter than this share of it are not tried.
 constexpr double kLeastPiece = 1e-6;
@@ -34,10 +34,10 @@ double rounded_share(double share) {
 
 // ---- Steps and their cuts. ----
 
-/// As a whole, or else in pieces that end where a joint turns or its tangent jumps. Where the
+/// Steps as a whole, or else in pieces that end where a joint turns or its tangent jumps. Where the
 /// equations of a piece do not converge, a shorter one is tried.
 bool MarchState::step(const StepWeights& weights) {
-  if (step_over_knots(weights)) return true;
+  if (step_over_breakpoints(weights)) return true;
   double left = weights.length();
   double piece = left;
   int changes = 0;
@@ -72,33 +72,35 @@ bool MarchState::step(const StepWeights& weights) {
 }
 
 /// @return false where nothing was done.
-bool MarchState::step_over_knots(const StepWeights& weights) {
-  if (weights.length() > longest_over_knots_) return false;
+bool MarchState::step_over_breakpoints(const StepWeights& weights) {
+  if (weights.length() > longest_over_breakpoints_) return false;
   extrapolate(weights.length());
-  if (!solve(weights, couplings_, Knots::kAllowed)) return false;
+  if (!solve(weights, couplings_, Breakpoints::kAllowed)) return false;
   accept(weights.length(), Quadrature::kInner);
   pass_kinks();
   return true;
 }
 
 bool MarchState::solve_piece(double length, const StepWeights& whole) {
-  if (length == whole.length()) return solve(whole, couplings_, Knots::kNone);
+  if (length == whole.length()) return solve(whole, couplings_, Breakpoints::kNone);
   cut_.set_length(length);
-  return solve(cut_, cut_couplings_, Knots::kNone);
+  return solve(cut_, cut_couplings_, Breakpoints::kNone);
 }
 
-/// What the knots of all joints leave out of their cubics up to the inner points.
+/// The integrals of the differences from the cubics by the breakpoints of all joints up to the
+/// inner points.
 void MarchState::look_inside(double length) {
-  if (any_knots_inside_) std::ranges::fill(knots_inside_, 0.0);
-  any_knots_inside_ = false;
+  if (any_breakpoints_inside_) std::ranges::fill(breakpoints_inside_, 0.0);
+  any_breakpoints_inside_ = false;
   for (const Joint& joint : joints_) {
-    if (joint.way.knots().empty()) continue;
-    any_knots_inside_ = true;
+    if (joint.path.breakpoints().empty()) continue;
+    any_breakpoints_inside_ = true;
     std::array<double, kInnerPoints> integrals;
-    integrate_knots(joint.way.knots(), force_cubic(joint, length), kInnerPoint, integrals.data());
+    integrate_breakpoints(joint.path.breakpoints(), force_cubic(joint, length), kInnerPoint,
+                          integrals.data());
     for (std::size_t point = 0; point < kInnerPoints; ++point) {
       const double integral = integrals[point];
-      double* to = knots_inside_.data() + point * q_.size();
+      double* to = breakpoints_inside_.data() + point * q_.size();
       for (std::size_t i = 0; i < q_.size(); ++i) to[i] -= integral * joint.shape[i];
     }
   }
@@ -116,7 +118,7 @@ void MarchState::add_energies(double length, Quadrature quadrature) {
     look_inside(length);
     added = march_loops::inner_energies(groups_, length, quadrature_.data(), damping_.data(), from,
                                         to, loads_.slope.data(), end_load_middle_.data(),
-                                        knots_inside_.data());
+                                        breakpoints_inside_.data());
   } else {
     added = march_loops::step_energies(groups_, length, stiffness_.data(), damping_.data(), from,
                                        to, loads_.slope.data());
@@ -139,7 +141,7 @@ void MarchState::accept(double length, Quadrature quadrature) {
     Joint& joint = joints_[j];
     Kinematics& k = joint.end;
     loads_.normal[j] = normal_load(j, length);
-    pass_knots(joint);
+    pass_breakpoints(joint);
     const double damped = joint.damper * k.u_dot;
     k.force = damped + joint.hysteresis.settle(k.gap - joint.compliance * k.force, loads_.normal[j],
                                                k.force - damped);
@@ -158,32 +160,32 @@ void MarchState::accept(double length, Quadrature quadrature) {
   ++steps_;
 }
 
-/// Over the step, or the part of it behind the last knot.
+/// The curvature over the step, or its part behind the last breakpoint.
 MarchState::Curvature MarchState::curvature(const Joint& joint, double length) {
   const Kinematics& b = joint.begin;
   const Kinematics& k = joint.end;
-  if (joint.way.knots().empty()) {
+  if (joint.path.breakpoints().empty()) {
     return {(k.force_dot - b.force_dot) / length, (k.r_dot - b.r_dot) / length};
   }
-  const JointWay::Knot& last = joint.way.knots().back();
+  const JointPath::Breakpoint& last = joint.path.breakpoints().back();
   const double left = length * std::max(1.0 - last.share, kLeastPiece);
   const double force = (k.force_dot - last.after / length) / left;
   return {force, force - joint.spring * (k.slide_dot - b.slide_dot) / length};
 }
 
-/// Those on its way over the step.
-void MarchState::pass_knots(Joint& joint) {
-  if (joint.way.knots().empty()) return;
-  for (const JointWay::Knot& knot : joint.way.knots()) {
-    if (knot.turns) {
-      joint.hysteresis.turned(knot.displacement, knot.force);
+/// Passes the breakpoints on the path of a joint over the step.
+void MarchState::pass_breakpoints(Joint& joint) {
+  if (joint.path.breakpoints().empty()) return;
+  for (const JointPath::Breakpoint& breakpoint : joint.path.breakpoints()) {
+    if (breakpoint.turns) {
+      joint.hysteresis.turned(breakpoint.displacement, breakpoint.force);
       joint.direction = -joint.direction;
       ++reversals_;
     } else {
       ++kinks_;
     }
   }
-  joint.hysteresis.take_over(joint.way.follower());
+  joint.hysteresis.take_over(joint.path.follower());
   find_kink(joint);
 }
 
@@ -254,7 +256,7 @@ MarchState::Change MarchState::first_change(double length) {
     const Joint& joint = joints_[j];
     const StepCubic y(joint.begin.gap, joint.begin.gap_dot, joint.end.gap, joint.end.gap_dot,
                       length);
-    // It turns once at one place: what turns back at once is at rest but for rounding.
+    // It turns once at one place: a joint that turns back at once is at rest up to rounding.
     const double turn = joint.turned_here ? 1.0 : turning_share(joint, y, length);
     if (turn < first.share) first = {turn, j, true};
     const double kink = kink_share(joint, y, std::min(turn, 1.0));
@@ -263,8 +265,9 @@ MarchState::Change MarchState::first_change(double length) {
   return first;
 }
 
-/// Where in the step a joint turns, by the cubic through y and ẏ at its ends: ẏ there is of the
-/// order h³ and y off its extreme by h⁶. 1 where it does not, 0 where it has turned already.
+/// The share of the step at which a joint turns, by the cubic through y and ẏ at its ends: ẏ there
+/// is of the order h³ and y off its extreme by h⁶. 1 where it does not, 0 where it has turned
+/// already.
 double MarchState::turning_share(const Joint& joint, const StepCubic& y, double length) {
   const auto ahead = [&](double share) { return joint.direction * y.slope(share); };
   if (length * std::max(std::abs(joint.begin.gap_dot), std::abs(joint.end.gap_dot)) <=
@@ -288,9 +291,9 @@ double MarchState::turning_share(const Joint& joint, const StepCubic& y, double 
       low, high, kShareRounding));
 }
 
-/// Where y comes to the next kink, before the share `until`, up to which it does not turn.
+/// The share at which y reaches the next kink, before `until`, up to which it does not turn.
 double MarchState::kink_share(const Joint& joint, const StepCubic& y, double until) {
-  // What is in series gives way to the damper, too.
+  // The compliance in series also deforms under the damper.
   const double kink = joint.kink + joint.compliance * joint.damper * joint.begin.u_dot;
   const auto ahead = [&](double share) { return joint.direction * (kink - y.value(share)); };
   if (joint.direction == 0 || !(ahead(until) < 0.0)) return 1.0;

@@ -19,7 +19,7 @@ CurveFollower::Response CurveFollower::on_memory(double u) const {
   return {force, tangent};
 }
 
-/// Goes over to the curve on which the motion is at `from`, or where it stands if that is ahead.
+/// Moves to the curve on which the motion is at `from`, or at its present place if that is ahead.
 void CurveFollower::follow(int direction, double from) {
   piece_ = Piece{memory_.curve_ahead(direction, from), 0, 0};
   const double at = direction * std::max(direction * from, direction * memory_.displacement());
@@ -38,8 +38,8 @@ void CurveFollower::find_kink() {
   const Memory::Curve& on = piece_->curve;
   double end = on.end;  // sign·u
   if (piece_->passed < corners_.size()) {
-    const double way = corners_[piece_->passed].slip_force / (joint_->stiffness() * on.reach);
-    end = std::min(end, on.sign * on.displacement + way);
+    const double distance = corners_[piece_->passed].slip_force / (joint_->stiffness() * on.reach);
+    end = std::min(end, on.sign * on.displacement + distance);
   }
   kink_ = on.sign * end;
 }
@@ -60,8 +60,8 @@ double CurveFollower::elastic_force(double u) const {
   return joint_->stiffness() * on.reach * on.sign * (u - on.displacement);
 }
 
-/// The curve goes on behind its beginning as the odd function that F is, and its atoms slip or
-/// stick as they do: each that slips carries its slip force, each other w_a s.
+/// The curve continues behind its beginning as the odd function F, and its atoms keep slipping or
+/// sticking: each that slips carries its slip force, each other w_a s.
 CurveFollower::Response CurveFollower::on_piece(double u) const {
   const double s = elastic_force(u);
   const auto virgin = joint_->virgin_curve().response(std::abs(s));

@@ -38,8 +38,7 @@ class CurveFollower {
   double advance(double u) { return memory_.advance(u); }
   /// Moves there, where its force is known, N.
   void settle(double u, double force) { memory_.settle(u, force); }
-  /// Says that the motion turns here, or that it begins: from here on it goes in this direction, +1
-  /// or −1.
+  /// Reverses the motion here, or begins it: from here on it goes in this direction, +1 or −1.
   void turn(int direction) { follow(direction, memory_.displacement()); }
 
   /// u where the tangent jumps next, or its slope, m: a loop closes, an atom begins to slip, the

@@ -11,8 +11,8 @@ struct Growing {
   double slope;
 };
 
-/// Where a function that grows from below 0 at `low` to above 0 at `high` is 0: Newton's method,
-/// with a bisection wherever it would leave the interval left. Internal to dynamics.
+/// The root of a function that grows from below 0 at `low` to above 0 at `high`: Newton's method,
+/// with a bisection wherever it would leave the remaining interval. Internal to dynamics.
 /// @param function  place → Growing. @param first  tried first. @param within  how near to it.
 template <typename Function>
 [[nodiscard]] double growing_zero_near(const Function& function, double first, double low,
@@ -31,7 +31,7 @@ template <typename Function>
   return tau;
 }
 
-/// The same from the middle on.
+/// The root from a start in the middle.
 template <typename Function>
 [[nodiscard]] double growing_zero(const Function& function, double low, double high,
                                   double within = 1e-10) {

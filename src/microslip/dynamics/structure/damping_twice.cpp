@@ -19,9 +19,8 @@ std::string warning_text(const StructuralJoint& joint, std::size_t mode, double 
   return fmt::format(
       "mode {} has a loss factor of {:.4g}, and joint '{}', which is its stiffness, gives it "
       "{:.4g} "
-      "by a linear damping of {:.5g} J/m^2: if they are the same loss, it counts twice. Leave it "
-      "to "
-      "the joint and take the damping of the mode out, or give the joint none.",
+      "by a linear damping of {:.5g} J/m^2: if they are the same loss, it counts twice. Remove "
+      "the damping of the mode, or that of the joint.",
       mode + 1, loss_factor, joint.name, of_joint, joint.linear_damping);
 }
 

@@ -8,10 +8,10 @@
 
 namespace microslip {
 
-/// A warning, `damping_twice`, for each joint and mode where one loss seems to be given twice: nine
+/// A warning, `damping_twice`, for each joint and mode whose loss seems to be given twice: nine
 /// tenths or more of the stiffness of the mode are that of the joint, k_s ψ_i² ≥ 0.9 ω_i², so that
 /// both lose what the same motion loses, and the loss factor of the mode is, to a factor of 2, that
-/// which the linear damping of the joint gives it by itself, βψ_i²/(πω_i²).
+/// due to the linear damping of the joint alone, βψ_i²/(πω_i²).
 [[nodiscard]] std::vector<Warning> damping_twice(const JointedStructure& structure);
 
 }  // namespace microslip

@@ -14,9 +14,9 @@ struct Corner {
   bool atom;
 };
 
-/// Where steps of a march are cut as a joint comes there, by rising slip force. To cut them at many
-/// places would cost more than it gains:
-/// – atoms, at which the tangent jumps, where there are 16 at most: more small kinks are nearly a
+/// Slip forces at which steps of a march are cut, rising. To cut them at many places would cost
+/// more than it gains: – atoms, at which the tangent jumps, where there are 16 at most: more small
+/// kinks are nearly a
 ///   smooth curve. Without cuts the order is 2.
 /// – jumps, at which only the slope of the tangent does, where they and the atoms are 16 at most.
 ///   Without cuts the order is 3.

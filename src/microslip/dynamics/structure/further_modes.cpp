@@ -7,7 +7,7 @@
 namespace microslip {
 namespace {
 
-/// Γ of a joint between modes that there were, with rows and columns of 0 for those that came.
+/// Γ of a joint between the previous modes, with rows and columns of 0 for the added ones.
 std::vector<double> padded(const std::vector<double>& shortening, std::size_t before,
                            std::size_t after) {
   if (shortening.empty()) return {};

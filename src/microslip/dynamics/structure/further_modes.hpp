@@ -7,17 +7,18 @@
 
 namespace microslip {
 
-/// A static mode that a structure has not yet, by what moves in it; kg^−½ but for the bases.
+/// A static mode to be added to a structure, by the motion of its places; kg^−½ except for the
+/// bases.
 struct FurtherMode {
   Mode mode;                               ///< its frequency and loss factor
-  std::vector<double> points = {};         ///< φ, one a point of the structure
-  std::vector<double> joints = {};         ///< ψ, one a joint
-  std::vector<double> participation = {};  ///< Γ, kg^½, one a base; empty: 0 of all
+  std::vector<double> points = {};         ///< φ, one per point of the structure
+  std::vector<double> joints = {};         ///< ψ, one per joint
+  std::vector<double> participation = {};  ///< Γ, kg^½, one per base; empty: 0 of all
 };
 
-/// A structure with further static modes behind the modes it has. No joint is shortened by them.
-/// @param structure  as it is.
-/// @param modes      to be added; none leaves it so.
+/// A structure with further static modes after its own. No joint is shortened by them.
+/// @param structure  the structure.
+/// @param modes      to be added; may be empty.
 /// @throws InputError  as JointedStructure.
 [[nodiscard]] JointedStructure with_further_modes(const JointedStructure& structure,
                                                   const std::vector<FurtherMode>& modes);

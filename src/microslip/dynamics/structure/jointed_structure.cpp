@@ -97,7 +97,7 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix) {
       .eigenvalues();
 }
 
-/// What is left when all springs of the joints are taken out of the modes must not push.
+/// The stiffness without the springs of the joints must not be negative.
 void check_springs(const std::vector<StructuralJoint>& joints, const ModalModel& linear) {
   constexpr double kRounding = 1e-6;  // of the stiffest mode; modes may be measured
   const Eigen::VectorXd squares =
@@ -111,7 +111,7 @@ void check_springs(const std::vector<StructuralJoint>& joints, const ModalModel&
   }
   throw InputError(member(*stiffest, "spring_in_modes"), stiffest->spring_in_modes,
                    fmt::format("must be in the modes: without it the structure is unstable; they "
-                               "hold {:.6g} N/m at most",
+                               "contain {:.6g} N/m at most",
                                1.0 / flexibility),
                    "Give the stiffness of the joint that the modes were computed with.");
 }
@@ -123,7 +123,7 @@ void check_excitations(const std::vector<Excitation>& excitations, const ModalMo
     if (linear.is_base(excitation.point) != linear.is_base(excitations.front().point)) {
       throw InputError(
           fmt::format("excitation at '{}'", excitation.point),
-          fmt::format("beside one at '{}'", excitations.front().point),
+          fmt::format("with one at '{}'", excitations.front().point),
           "must be a force where the others are forces, and the acceleration of a base "
           "where they are accelerations");
     }

@@ -12,38 +12,38 @@
 
 namespace microslip {
 
-/// A joint and how it sits in a structure of modes q_i. With N = −F(u) the tension in it [AR14
-/// (13)],
+/// A joint and its place in a structure of modes q_i. With N = −F(u) the tension in it [AR14 (13)],
 ///
 ///     u = Σ_i ψ_i q_i − ½ Σ_ij Γ_ij q_i q_j + cN,     on mode i:  [ψ_i − Σ_r Γ_ir q_r] N
 ///
-/// The terms with Γ are those of a joint that a bending beam shortens, and that tensions the beam
-/// in turn [AR14 (12)]; both come from one potential, so that they lose no energy.
+/// The terms with Γ are those of a joint that the shortening of a bending beam moves, and that
+/// tensions the beam in turn [AR14 (12)]; both come from one potential, so that they lose no
+/// energy.
 ///
-/// Beside F a joint may lose energy with the square of its amplitude, D = … + βA², as the fit of
-/// levels tells it that hold a loss other than slip. To harmonic n ≥ 1 of its force that adds
-/// i(β/π) u_n: the same loss at every frequency, nβ|u_n|² of that harmonic a period. It is no part
-/// of the stiffness.
+/// In addition to F a joint may lose energy with the square of its amplitude, D = … + βA², as
+/// identified from levels with a loss other than slip. To harmonic n ≥ 1 of its force that adds
+/// i(β/π) u_n: the same loss at every frequency, nβ|u_n|² of that harmonic per period. It is not
+/// part of the stiffness.
 struct StructuralJoint {
   std::string name;           ///< not empty, no two the same
   Joint joint;                ///< F(u)
-  std::vector<double> shape;  ///< ψ_i, relative displacement over q_i, kg^−½; one a mode
+  std::vector<double> shape;  ///< ψ_i, relative displacement over q_i, kg^−½; one per mode
 
   /// Stiffness k_s between its ends that the modes were computed with, N/m; ≥ 0, e.g. k for the
-  /// modes of the stuck structure. It is taken out again: k_s ψ_i Σ_r ψ_r q_r is added to the force
-  /// on mode i. On a shape r φ_i′(L) this is the torsional spring k_θ = k_s r². Without the springs
-  /// of all joints diag(ω_i²) − Σ k_s ψψᵀ must not have a negative eigenvalue.
+  /// modes of the stuck structure. It is subtracted: k_s ψ_i Σ_r ψ_r q_r is added to the force on
+  /// mode i. On a shape r φ_i′(L) this is the torsional spring k_θ = k_s r². Without the springs of
+  /// all joints diag(ω_i²) − Σ k_s ψψᵀ must not have a negative eigenvalue.
   double spring_in_modes = 0.0;
 
-  /// c, m/N; ≥ 0: of what lies in series with the joint, L/(EA) for a beam.
+  /// Compliance c in series with the joint, m/N; ≥ 0: L/(EA) for a beam.
   double series_compliance = 0.0;
 
-  /// Γ_ij, 1/(kg m), by rows, symmetric; empty where nothing shortens.
+  /// Γ_ij, 1/(kg m), by rows, symmetric; empty without shortening.
   std::vector<double> shortening = {};
 
-  double linear_damping = 0.0;  ///< β, J/m²: loses βA² a cycle of amplitude A beside F; ≥ 0, finite
+  double linear_damping = 0.0;  ///< β, J/m²: further loss βA² per cycle of amplitude A; ≥ 0, finite
 
-  /// k/(1 + kc), N/m: of the stuck joint with what lies in series.
+  /// k/(1 + kc), N/m: of the stuck joint with the compliance in series.
   [[nodiscard]] double stuck_stiffness() const;
 };
 
@@ -64,12 +64,12 @@ struct StaticLoad {
       0.0;  ///< force at a point, N; acceleration of a base, m/s², −g of a weight along it
 };
 
-/// A linear structure in modal form, its joints and what drives it:
+/// A linear structure in modal form, its joints and its excitations:
 ///
 ///     q̈_i + damping + ω_i² q_i = Σ_d φ_i(d) f_d(t) + what the joints do (see StructuralJoint)
 ///
 /// with −Γ_i in place of φ_i and the acceleration in place of f where a base is driven (see
-/// ModalModel); static loads act beside.
+/// ModalModel); static loads act in addition.
 ///
 /// Damping of harmonic n of a motion of ω is η_i ω_i nω (viscous) or η_i ω_i² (hysteretic, n ≥ 1).
 /// Immutable.
@@ -85,7 +85,7 @@ class JointedStructure {
                    std::vector<Excitation> excitations, DampingLaw damping = DampingLaw::kViscous,
                    std::vector<StaticLoad> static_loads = {});
 
-  /// The same with other joints. @throws InputError  as the constructor.
+  /// The structure with other joints. @throws InputError  as the constructor.
   [[nodiscard]] JointedStructure with_joints(std::vector<StructuralJoint> joints) const;
 
   /// The structure without its joints.
@@ -99,19 +99,19 @@ class JointedStructure {
   /// The loads that always act, in the order given.
   [[nodiscard]] std::span<const StaticLoad> static_loads() const { return static_loads_; }
 
-  /// Whether what drives it are accelerations of bases, m/s², and not forces, N.
+  /// Whether the excitations are accelerations of bases, m/s², and not forces, N.
   [[nodiscard]] bool base_driven() const;
-  /// What the static loads do to the modes, p_i = Σ φ_i f − Σ Γ_i a, N kg^−½; one a mode.
+  /// Modal loads by the static loads, p_i = Σ φ_i f − Σ Γ_i a, N kg^−½; one per mode.
   [[nodiscard]] std::vector<double> static_modal_load() const;
 
-  /// Whether some joint shortens (Γ).
+  /// Whether some joint has shortening (Γ).
   [[nodiscard]] bool shortens() const;
   /// The largest n with an s_n.
   [[nodiscard]] std::size_t excited_harmonics() const;
 
-  /// Natural frequencies with all joints stuck and nothing damped, rad/s, rising: where the
-  /// resonances are at small amplitude, one a vibration of linear(): static modes have none. Series
-  /// compliance included, shortening not.
+  /// Undamped natural frequencies with all joints stuck, rad/s, rising: the resonances at small
+  /// amplitude, one per vibration of linear(): static modes have none. Series compliance included,
+  /// shortening not.
   [[nodiscard]] std::vector<double> stuck_frequencies() const;
 
   /// The shape of such a vibration over the modes q_i, of length 1 (mass-normalised).

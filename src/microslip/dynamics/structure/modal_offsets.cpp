@@ -28,18 +28,18 @@ Eigen::VectorXd squares_of_modes(const JointedStructure& structure) {
   return squares;
 }
 
-/// The one that looks most like that of the stuck structure: frequencies may cross as joints slip.
-SecantMode secant_mode(const JointedStructure& structure, const StructureOffset& told) {
+/// The mode most similar to that of the stuck structure: frequencies may cross as joints slip.
+SecantMode secant_mode(const JointedStructure& structure, const StructureOffset& measured) {
   Eigen::MatrixXd stiffness = squares_of_modes(structure).asDiagonal();
   for (std::size_t j = 0; j < structure.joints().size(); ++j) {
     const StructuralJoint& joint = structure.joints()[j];
-    const double own = told.joint_stiffness.at(j);
+    const double own = measured.joint_stiffness.at(j);
     const Eigen::Map<const Eigen::VectorXd> shape(joint.shape.data(), stiffness.rows());
     stiffness += (own / (1.0 + own * joint.series_compliance) - joint.spring_in_modes) * shape *
                  shape.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
-  const std::vector<double> stuck = structure.stuck_mode(told.mode);
+  const std::vector<double> stuck = structure.stuck_mode(measured.mode);
   const Eigen::Map<const Eigen::VectorXd> alike(stuck.data(), stiffness.rows());
   Eigen::Index most = 0;
   (solver.eigenvectors().transpose() * alike).cwiseAbs().maxCoeff(&most);
@@ -56,23 +56,23 @@ Eigen::RowVectorXd answer_of(const JointedStructure& structure, const SecantMode
 
 }  // namespace
 
-double secant_frequency(const JointedStructure& structure, const StructureOffset& told) {
-  return std::sqrt(secant_mode(structure, told).square);
+double secant_frequency(const JointedStructure& structure, const StructureOffset& measured) {
+  return std::sqrt(secant_mode(structure, measured).square);
 }
 
-double share_of_modes(const JointedStructure& structure, const StructureOffset& told) {
-  return answer_of(structure, secant_mode(structure, told)).sum();
+double share_of_modes(const JointedStructure& structure, const StructureOffset& measured) {
+  return answer_of(structure, secant_mode(structure, measured)).sum();
 }
 
-ModalOffsets modal_offsets(const JointedStructure& structure, std::span<const StructureOffset> told,
-                           double others) {
+ModalOffsets modal_offsets(const JointedStructure& structure,
+                           std::span<const StructureOffset> measured, double others) {
   constexpr int kMostSteps = 20;
   constexpr double kSmall = 1e-10;  // of a logarithm: far below what a frequency is read to
   const auto modes = static_cast<Eigen::Index>(structure.linear().size());
-  const auto count = static_cast<Eigen::Index>(told.size());
+  const auto count = static_cast<Eigen::Index>(measured.size());
   Eigen::VectorXd squares(count);  // before
   for (Eigen::Index m = 0; m < count; ++m) {
-    squares(m) = secant_mode(structure, told[static_cast<std::size_t>(m)]).square;
+    squares(m) = secant_mode(structure, measured[static_cast<std::size_t>(m)]).square;
   }
   Eigen::VectorXd offset = Eigen::VectorXd::Constant(modes, others);
   offset.tail(static_cast<Eigen::Index>(structure.linear().static_modes())).setZero();
@@ -85,7 +85,7 @@ ModalOffsets modal_offsets(const JointedStructure& structure, std::span<const St
     Eigen::MatrixXd answers(count, modes);
     Eigen::VectorXd off(count);
     for (Eigen::Index m = 0; m < count; ++m) {
-      const StructureOffset& one = told[static_cast<std::size_t>(m)];
+      const StructureOffset& one = measured[static_cast<std::size_t>(m)];
       const SecantMode mode = secant_mode(moved, one);
       answers.row(m) = answer_of(moved, mode);
       off(m) = one.offset - 0.5 * std::log(mode.square / squares(m));
@@ -97,7 +97,7 @@ ModalOffsets modal_offsets(const JointedStructure& structure, std::span<const St
   }
   if (!(missed <= kSmall)) {
     throw InputError("offsets of frequencies", fmt::format("{:.3g} of one is left", missed),
-                     "must be such that modes without joints can have them",
+                     "must be such that modes without joints can produce them",
                      "Check the stiffnesses of the joints and the frequencies of the model.");
   }
   left.tail(static_cast<Eigen::Index>(structure.linear().static_modes())).setZero();

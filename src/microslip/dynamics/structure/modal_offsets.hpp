@@ -8,52 +8,53 @@
 #include "microslip/dynamics/structure/jointed_structure.hpp"
 
 /// @file
-/// Modes without joints whose frequencies are off, from frequencies of the structure with its
+/// Offsets of the frequencies of modes without joints, from frequencies of the structure with its
 /// joints.
 
 namespace microslip {
 
-/// What the frequency of a vibration with the joints is off by.
+/// Offset of the frequency of a vibration with the joints.
 struct StructureOffset {
   std::size_t mode = 0;  ///< by frequency with all joints stuck, from 0
   double offset = 0.0;   ///< δ, as a logarithm, 1
-  /// Stiffness that the joints have in it, N/m, one a joint; k of each where it is stuck.
+  /// Stiffness that the joints have in it, N/m, one per joint; k of each where it is stuck.
   std::vector<double> joint_stiffness = {};
 };
 
-/// What the modes without joints are off by.
+/// Offsets of the modes without joints.
 struct ModalOffsets {
-  std::vector<double> offset = {};  ///< ε_i, as a logarithm, 1; one a mode, 0 of static ones
-  /// ∂ε_i/∂δ_m of each mode and each vibration that is told, 1: [mode][told].
+  std::vector<double> offset = {};  ///< ε_i, as a logarithm, 1; one per mode, 0 of static ones
+  /// ∂ε_i/∂δ_m of each mode and each measured vibration, 1: [mode][vibration].
   std::vector<std::vector<double>> by_told = {};
-  /// ∂ε_i/∂ε⁰_i, 1; in 0…1: how far each mode is left to what those that are not told are off by.
+  /// ∂ε_i/∂ε⁰_i, 1; in 0…1: the share of each mode that the measured vibrations do not determine.
   std::vector<double> left = {};
 };
 
-/// ω of a vibration by the stiffness that the joints have in it, rad/s; its offset plays no part.
-/// It is the one that looks most like that of the stuck structure, as frequencies may cross.
+/// ω of a vibration by the stiffness that the joints have in it, rad/s; its offset is not used. The
+/// mode is the most similar to that of the stuck structure, as frequencies may cross.
 [[nodiscard]] double secant_frequency(const JointedStructure& structure,
-                                      const StructureOffset& told);
+                                      const StructureOffset& measured);
 
 /// The share Σ_i S_mi of the stiffness of a vibration that is not of its joints, 1.
-[[nodiscard]] double share_of_modes(const JointedStructure& structure, const StructureOffset& told);
+[[nodiscard]] double share_of_modes(const JointedStructure& structure,
+                                    const StructureOffset& measured);
 
-/// The ε that are nearest to ε⁰, by least squares, of those that move the vibrations told as they
-/// are measured, the joints as they are:
+/// The ε that are nearest to ε⁰, by least squares, of those that give the measured vibrations, with
+/// unchanged joints:
 ///
 ///     ln Ω_m(ε) − ln Ω_m(0) = δ_m,   S_mi = ∂ln Ω_m/∂ln ω_i = ω_i² q_mi²/Ω_m²
 ///
 /// with Ω² the eigenvalues of diag(ω_i²) − Σ k_s ψψᵀ + Σ κ ψψᵀ, κ the stiffness of each joint with
-/// what lies in series, and q_m their vectors of length 1: Rayleigh's quotient. By Newton's method,
-/// S⁺ the pseudo-inverse: ε = ε⁰ + S⁺(δ − Sε⁰) to first order.
-/// @param structure  with the joints found. @param told  no vibration twice.
+/// its compliance in series, and q_m their vectors of length 1: Rayleigh's quotient. By Newton's
+/// method, S⁺ the pseudo-inverse: ε = ε⁰ + S⁺(δ − Sε⁰) to first order.
+/// @param structure  with the joints found. @param measured  the measured vibrations, none twice.
 /// @param others     ε⁰ of each mode, 1.
-/// @throws InputError  where no ε moves them so, or the structure has none without its joints.
+/// @throws InputError  where no ε gives them, or the structure has none without its joints.
 [[nodiscard]] ModalOffsets modal_offsets(const JointedStructure& structure,
-                                         std::span<const StructureOffset> told, double others);
+                                         std::span<const StructureOffset> measured, double others);
 
 /// The structure with each ω_i times e^ε_i.
-/// @param structure  before. @param offset  ε, one a mode.
+/// @param structure  before. @param offset  ε, one per mode.
 /// @throws InputError  as JointedStructure.
 [[nodiscard]] JointedStructure with_modal_offsets(const JointedStructure& structure,
                                                   std::span<const double> offset);

@@ -26,7 +26,7 @@ const Mode& highest_mode(const JointedStructure& structure) {
                                    &Mode::angular_frequency);
 }
 
-/// Where each name stands in a list.
+/// Index of each name in a list.
 template <typename Named>
 std::vector<std::size_t> indices_of(const std::vector<std::string>& names,
                                     std::span<const Named> there, const char* what) {
@@ -40,14 +40,14 @@ std::vector<std::size_t> indices_of(const std::vector<std::string>& names,
     }
     const auto index = static_cast<std::size_t>(found - there.begin());
     if (std::ranges::find(indices, index) != indices.end()) {
-      throw InputError(key, fmt::format("'{}'", name), "must not stand twice");
+      throw InputError(key, fmt::format("'{}'", name), "must not occur twice");
     }
     indices.push_back(index);
   }
   return indices;
 }
 
-/// What gives way nowhere by itself does not by others either.
+/// Without a compliance of its own a place has none with others either.
 void check_diagonal(const Eigen::MatrixXd& matrix, Index i) {
   const bool alone =
       matrix(i, i) == 0.0 && !(matrix.row(i).isZero(0.0) && matrix.col(i).isZero(0.0));
@@ -62,7 +62,7 @@ Eigen::MatrixXd checked_matrix(const ResidualFlexibility& residual) {
   if (places == 0 || residual.compliance.size() != places * places) {
     throw InputError("compliance of the residual",
                      fmt::format("{} values", residual.compliance.size()),
-                     fmt::format("must have {}, by rows, one a point and joint that it names",
+                     fmt::format("must have {}, by rows, one per point and joint that it names",
                                  std::max<std::size_t>(places * places, 1)));
   }
   const auto size = static_cast<Index>(places);
@@ -88,7 +88,7 @@ double static_mode_frequency(const JointedStructure& structure) {
   const double highest = highest_mode(structure).angular_frequency;
   if (highest > 0.0) return kAboveAllModes * highest;
   throw InputError("modes of the structure", "all of rigid bodies",
-                   "must be elastic in one at least where what is left out gives way");
+                   "must have at least one elastic mode where there is a residual");
 }
 
 std::vector<FurtherMode> static_modes(const JointedStructure& structure,
@@ -108,7 +108,7 @@ std::vector<FurtherMode> static_modes(const JointedStructure& structure,
     throw InputError("compliance of the residual",
                      fmt::format("a negative eigenvalue, {:.4g} over the roots of its diagonal",
                                  eigenvalues.minCoeff()),
-                     "must have none: no structure gives way towards a force",
+                     "must have none: no structure moves against a force",
                      "Subtract the elastic modes of the model alone from the static compliance.");
   }
   const double frequency = static_mode_frequency(structure);

@@ -9,13 +9,13 @@
 
 namespace microslip {
 
-/// What the modes that a model leaves out give way by under constant forces, at some of its points
-/// and across some of its joints:
+/// Static compliance of the modes that a model leaves out, at some of its points and across some of
+/// its joints:
 ///
 ///     R_pq = (static compliance of the structure)_pq − Σ_i φ_i(p) φ_i(q)/ω_i²,   m/N
 ///
 /// over the elastic modes that the model has, of the structure of those modes: with the springs
-/// that they hold across joints. [MacNeal 1971]
+/// that they contain across joints. [MacNeal 1971]
 struct ResidualFlexibility {
   std::vector<std::string> points = {};  ///< names of points of the model
   std::vector<std::string> joints = {};  ///< names of joints of it
@@ -23,22 +23,22 @@ struct ResidualFlexibility {
   std::vector<double> compliance = {};
 };
 
-/// Modes that stand for a residual flexibility: with S = diag(√R_pp), of the eigenvectors v of
+/// Modes that represent a residual flexibility: with S = diag(√R_pp), of the eigenvectors v of
 /// S⁻¹RS⁻¹ with eigenvalues λ > 0, φ_a = ω_a √λ Sv, so that all of them, at the frequency ω_a, have
 /// R. ω_a is ten times the highest ω of the structure's modes, beyond most harmonics of a balance:
-/// what they give way by is larger by (ω/ω_a)² in a vibration of ω, 1/100 at the highest. Their
-/// loss factor is that of the highest mode.
+/// their compliance is larger by (ω/ω_a)² in a vibration of ω, 1/100 at the highest. Their loss
+/// factor is that of the highest mode.
 /// @param structure  that they are added to, by with_further_modes().
 /// @param residual   of it.
-/// @throws InputError  for names that the structure has not, or that stand twice; for another
+/// @throws InputError  for names that the structure does not have, or that occur twice; for another
 ///                     number of entries than a square has; entries that are not finite or not
 ///                     those across the diagonal; an R_pp below 0, or of 0 beside others in its
 ///                     row; a negative λ; a structure without an elastic mode.
 [[nodiscard]] std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                                                     const ResidualFlexibility& residual);
 
-/// The highest ω of the vibrations of a structure, rad/s, times ten: where modes stand that do
-/// not vibrate but give way.
+/// Ten times the highest ω of the vibrations of a structure, rad/s: the frequency of modes that
+/// represent static compliance.
 [[nodiscard]] double static_mode_frequency(const JointedStructure& structure);
 
 }  // namespace microslip

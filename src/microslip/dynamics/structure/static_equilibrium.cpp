@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 constexpr int kMostNewtonSteps = 200;
 constexpr int kMostStepHalvings = 40;
-constexpr double kEquilibriumTolerance = 1e-12;  // of the residual, over the sum of what acts
+constexpr double kEquilibriumTolerance = 1e-12;  // of the residual, over the sum of the loads
 constexpr double kEquilibriumRounding =
     1e-9;                                // good enough where the residual does not fall any more
 constexpr double kNothingHolds = 1e-12;  // of the largest pivot
@@ -28,8 +28,8 @@ Eigen::Map<const VectorXd> view(const std::vector<double>& values) {
   return {values.data(), static_cast<Index>(values.size())};
 }
 
-/// u of a joint whose ends move apart by w with what lies in series: u + cF(u) = w.
-/// @param c  of what lies in series, times the normal load.
+/// u of a joint whose ends move apart by w with the compliance in series: u + cF(u) = w.
+/// @param c  compliance in series, times the normal load.
 double displaced(const Joint& joint, double c, double w) {
   if (c == 0.0) return w;
   double u = w / (1.0 + c * joint.stiffness());  // F is concave: from here u only grows
@@ -85,7 +85,7 @@ class Equilibrium {
   }
 
  private:
-  /// |residual| at q; what the joints do there is kept.
+  /// |residual| at q; keeps the state of the joints there.
   double evaluate(const VectorXd& q) {
     displacement_.clear();
     force_.clear();
@@ -130,7 +130,7 @@ class Equilibrium {
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors(scaled.rows(), scaled.cols());
     factors.setThreshold(kNothingHolds);
     factors.compute(scaled);
-    const VectorXd solution = factors.solve(right);  // what nothing holds and nothing loads rests
+    const VectorXd solution = factors.solve(right);  // unrestrained and unloaded motions are 0
     if (!((scaled * solution - right).norm() <= kNothingLoads * right.norm())) {
       throw nothing_found();
     }
@@ -144,7 +144,7 @@ class Equilibrium {
                           structure_.linear().is_base(load.place) ? "m/s^2" : "N", load.place);
     }
     return {"static loads", text,
-            "must be held: the structure has no equilibrium under them, it slips away or floats",
+            "must have an equilibrium: the structure slips without limit or floats",
             "Take smaller loads, or joints with an elastic remainder."};
   }
 

@@ -13,19 +13,19 @@
 #include "microslip/signal/harmonic/fourier_series.hpp"
 
 /// @file
-/// What the Fourier series of the signals of one cycle tell, be it the cycle that a whole record
-/// was fitted by or one of its single cycles. Internal to rig.
+/// Reduction of the Fourier series of the signals of one cycle, the mean cycle fitted to a whole
+/// record or a single one. Internal to rig.
 
 namespace microslip {
 
-/// Which of the signals the joint displacement comes from.
+/// Source of the joint displacement among the signals.
 struct SignalLayout {
   std::size_t accelerometers = 0;
   std::optional<std::size_t> at_exciter = {};              ///< the accelerometer there
-  std::optional<RigVibrometer::Measures> vibrometer = {};  ///< nothing: from the kinematics
+  std::optional<RigVibrometer::Measures> vibrometer = {};  ///< none: from the kinematics
 };
 
-/// The layout of a rig's records. @param use_vibrometer  false: as if it had none.
+/// The layout of a rig's records. @param use_vibrometer  false: as without one.
 [[nodiscard]] SignalLayout signal_layout(const Rig& rig, bool use_vibrometer);
 
 struct CycleResult {
@@ -42,7 +42,7 @@ struct CycleResult {
 
 class CycleReduction {
  public:
-  /// @param state  outlives this. @param omega, harmonics  of the series to come.
+  /// @param state  outlives this. @param omega, harmonics  of the series to be reduced.
   CycleReduction(const StickState& state, SignalLayout layout, double omega, std::size_t harmonics);
 
   /// @param series  force, accelerometers, vibrometer where the layout has it.

@@ -26,9 +26,9 @@ FourierFit fit_of(const Recording& recording, const RecordSignals& signals,
   FourierFit fit = fit_named(recording, signals, options);
   if (!fit.summary.converged()) {
     throw InputError(recording.source, "no steady vibration",
-                     fmt::format("must hold periodic signals: {}", fit.summary.reason),
+                     fmt::format("must contain periodic signals: {}", fit.summary.reason),
                      options.frequency_guess
-                         ? "Is the frequency that of the record? Without one it is sought."
+                         ? "Check the frequency, or leave it out to have it found."
                          : "Cut the record to its steady part, or state the frequency.");
   }
   for (std::size_t j = 0; j < signals.names.size(); ++j) {

@@ -15,7 +15,7 @@
 
 namespace microslip {
 
-/// Channels of a record, in the order in which they were asked for.
+/// Channels of a record, in the order of the request.
 struct RecordSignals {
   std::vector<std::string> names;
   std::vector<std::span<const double>> values;

@@ -96,7 +96,7 @@ std::optional<double> phase_resonance(const StructureTest& test,
                                       std::span<const std::complex<double>> delta, double omega) {
   constexpr int kMostSteps = 50;
   constexpr double kFarthest = 0.1;
-  // Of one mode it is linear in ω², so that the secant is there at once.
+  // Of one mode it is linear in ω², so that the first secant is exact.
   const EquivalentStructure structure(test, delta);
   const auto in_phase = [&](double at) { return (1.0 / structure.receptance(at)).real(); };
   double before = omega * (1.0 + 1e-5);

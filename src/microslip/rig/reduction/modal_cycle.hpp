@@ -13,7 +13,7 @@
 #include "microslip/signal/harmonic/fourier_series.hpp"
 
 /// @file
-/// What the Fourier series of the signals of one cycle tell of several joints. Internal to rig.
+/// Reduction of the Fourier series of the signals of one cycle for several joints. Internal to rig.
 
 namespace microslip {
 
@@ -39,7 +39,7 @@ struct ModalCycle {
 class ModalCycleReduction {
  public:
   /// @param test    outlives this.
-  /// @param omega, harmonics  of the series to come.
+  /// @param omega, harmonics  of the series to be reduced.
   ModalCycleReduction(const StructureTest& test, double omega, std::size_t harmonics,
                       const JointsObserverScales& scales);
 
@@ -54,7 +54,7 @@ class ModalCycleReduction {
  private:
   [[nodiscard]] ModalCycle cycle_of(std::span<const FourierSeries> series,
                                     JointsMotion motion) const;
-  /// Of a point, as measured by the accelerometer there or as observed, m.
+  /// Displacement of a point, as measured by the accelerometer there or as observed, m.
   [[nodiscard]] std::complex<double> displacement_at(std::span<const FourierSeries> series,
                                                      const JointsMotion& motion,
                                                      const std::string& point,
@@ -68,8 +68,8 @@ class ModalCycleReduction {
 };
 
 /// The frequency, Hz, near ω at which the displacement of the response point lags the force by π/2
-/// (modulo π), with what joint j does beyond sticking, h_j = δ_j w_j, as it is. Nothing where there
-/// is none within a tenth of ω.
+/// (modulo π), with a fixed h_j = δ_j w_j of each joint j. None where there is no such frequency
+/// within a tenth of ω.
 [[nodiscard]] std::optional<double> phase_resonance(const StructureTest& test,
                                                     std::span<const std::complex<double>> delta,
                                                     double omega);

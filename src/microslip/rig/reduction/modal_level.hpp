@@ -10,25 +10,25 @@
 #include "microslip/rig/reduction/reduced_level.hpp"
 
 /// @file
-/// What a steady record of a structure with several joints becomes: a level of one of its modes.
+/// Level of one mode of a structure with several joints, reduced from a steady record.
 
 namespace microslip {
 
 /// The flag of a level in which not all joints are seen.
 inline constexpr std::string_view kJointNotSeen = "joint_not_seen";
 
-/// What one record tells of one joint.
+/// Level of one joint from one record.
 struct JointLevel {
   Measured amplitude;         ///< A, half of its displacement peak to peak, m
   Measured dissipation;       ///< D = ∮ F du, J
   Measured secant_stiffness;  ///< k_eq of its loop, N/m: see Reducer
   std::size_t reversals = 2;  ///< of its displacement in a cycle
-  /// Share of its force that the accelerometers do not show, 0 to 1: 1 where the joint is taken to
-  /// stick for want of a sensor.
+  /// Share of its force that the accelerometers do not resolve, 0 to 1: 1 where the joint is taken
+  /// to stick without a sensor.
   double unseen = 0.0;
 };
 
-/// What one record tells: one row of modal_levels.csv.
+/// Level from one record: one row of modal_levels.csv.
 struct ModalLevel {
   std::string source = {};          ///< of the record
   std::size_t mode = 1;             ///< by the frequency of the structure with stuck joints, from 1
@@ -44,7 +44,7 @@ struct ModalLevel {
   double misfit = 0.0;  ///< the worst of the accelerometers against the model's motion, 1
   double cycles = 0.0;  ///< in the record
   std::vector<JointLevel> joints = {};  ///< in the order of the structure
-  std::vector<Warning> flags = {};      ///< what is to be looked at, each once
+  std::vector<Warning> flags = {};      ///< faults to be checked, each once
 
   /// Whether one of the flags has this code.
   [[nodiscard]] bool has_flag(std::string_view code) const;

@@ -14,11 +14,12 @@
 namespace microslip {
 namespace {
 
-constexpr double kTellingModal = 3.0;  // standard deviations
-/// Of the drive off the stuck frequency of its mode: beyond, the model is not what was measured.
+constexpr double kSignificantModal = 3.0;  // standard deviations
+/// Largest relative offset of the drive from the stuck frequency of its mode: beyond it the model
+/// is not that of the measurement.
 constexpr double kFarFromStuck = 0.2;
 constexpr double kMostSecant = 1.1;
-/// Of an unseen direction: a joint that takes part in it.
+/// Participation from which a joint takes part in an unobserved direction.
 constexpr double kTakesPart = 0.1;
 /// Share of a resonance's frequency that is rounding.
 constexpr double kSameFrequency = 1e-9;
@@ -48,12 +49,11 @@ void flag_unseen(ModalLevel& level, const ModalRecord& record) {
   if (text.empty()) return;
   add_flag_once(
       level.flags, kJointNotSeen,
-      fmt::format(
-          "The accelerometers, {}, do not show all that the {} joints do: not seen above the "
-          "noise is {}. There the joint is taken to stick, with the standard deviation of "
-          "not knowing; D of all joints together does not need it. Add accelerometers that "
-          "move with those joints, or calibrate by the model.",
-          record.test.accelerometers.size(), level.joints.size(), text));
+      fmt::format("The accelerometers, {}, do not resolve the motion of all {} joints: below noise "
+                  "is {}. There the joint is taken to stick, with a standard deviation for the "
+                  "unknown motion; D of all joints together does not need it. Add accelerometers "
+                  "that move with those joints, or calibrate by the model.",
+                  record.test.accelerometers.size(), level.joints.size(), text));
 }
 
 void flag_joint(ModalLevel& level, std::size_t index, const StructuralJoint& joint) {
@@ -61,26 +61,26 @@ void flag_joint(ModalLevel& level, std::size_t index, const StructuralJoint& joi
   if (found.reversals > 2) {
     add_flag_once(
         level.flags, kInnerReversals,
-        fmt::format("Joint '{}' turns {} times in a cycle: a density follows from D where "
-                    "it turns twice.",
+        fmt::format("Joint '{}' has {} reversals per cycle: a density follows from D where "
+                    "there are 2.",
                     joint.name, found.reversals));
   }
   if (found.unseen > kTakesPart) return;
   const double k = joint.joint.stiffness();
   const Measured& d = found.dissipation;
   const double bound = k * found.amplitude.value * found.amplitude.value;
-  if (d.value - kTellingModal * d.std > bound) {
+  if (d.value - kSignificantModal * d.std > bound) {
     add_flag_once(level.flags, "dissipation_above_bound",
                   fmt::format("D = {:.3g} J of joint '{}' is above k A^2 = {:.3g} J, the most that "
-                              "a joint of stiffness k can take. Check units and the shapes.",
+                              "a joint of stiffness k can lose. Check units and the shapes.",
                               d.value, joint.name, bound));
-  } else if (d.value < kTellingModal * d.std) {
+  } else if (d.value < kSignificantModal * d.std) {
     add_flag_once(level.flags, "joint_in_noise",
                   fmt::format("D = {:.3g} J of joint '{}' has a standard deviation of {:.3g} J.",
                               d.value, joint.name, d.std));
   }
   const Measured& secant = found.secant_stiffness;
-  if (secant.value - kTellingModal * secant.std > kMostSecant * k) {
+  if (secant.value - kSignificantModal * secant.std > kMostSecant * k) {
     add_flag_once(
         level.flags, "secant_above_stuck",
         fmt::format("k_eq = {:.3g} N/m of joint '{}' is above k = {:.3g} N/m of the stuck "
@@ -97,7 +97,7 @@ void flag_energy(ModalLevel& level) {
                               "{:.3g} J. Check sign and unit of the force, and the damping of the "
                               "structure.",
                               d.value, level.input_energy, level.linear_dissipation));
-  } else if (d.value < kTellingModal * d.std) {
+  } else if (d.value < kSignificantModal * d.std) {
     add_flag_once(
         level.flags, "dissipation_in_noise",
         fmt::format("D = {:.3g} J has a standard deviation of {:.3g} J.", d.value, d.std));
@@ -110,11 +110,11 @@ void flag_energy(ModalLevel& level) {
 void flag_balance(ModalLevel& level) {
   const Measured& difference = level.energy_difference;
   const double rounding = 1e-6 * std::abs(level.input_energy);
-  if (std::abs(difference.value) <= std::max(kTellingModal * difference.std, rounding)) return;
+  if (std::abs(difference.value) <= std::max(kSignificantModal * difference.std, rounding)) return;
   add_flag_once(
       level.flags, "energies_differ",
-      fmt::format("The joints together lose {:.4g} J by their forces and {:.4g} J by what goes in "
-                  "less the linear loss. Check shapes, frequencies and damping of the model.",
+      fmt::format("The joints together lose {:.4g} J by their forces and {:.4g} J by the input "
+                  "minus the linear loss. Check shapes, frequencies and damping of the model.",
                   level.dissipation.value + difference.value, level.dissipation.value));
 }
 
@@ -135,13 +135,14 @@ void flag_frequency(ModalLevel& level, const ModalRecord& record) {
   }
   const double off = level.drive_frequency - level.frequency.value;
   const double error =
-      std::max(kTellingModal * level.frequency.std, kSameFrequency * level.drive_frequency);
+      std::max(kSignificantModal * level.frequency.std, kSameFrequency * level.drive_frequency);
   if (std::abs(off) <= error) return;
-  add_flag_once(level.flags, "off_resonance",
-                fmt::format("Driven at {:.7g} Hz, {:+.2g} Hz off the resonance, which is known to "
-                            "{:.1g} Hz. The frequency is that of the resonance; D and amplitudes "
-                            "are those measured.",
-                            level.drive_frequency, off, level.frequency.std));
+  add_flag_once(
+      level.flags, "off_resonance",
+      fmt::format("Driven at {:.7g} Hz, {:+.2g} Hz off the resonance, which is known within "
+                  "{:.1g} Hz. The frequency is that of the resonance; D and amplitudes "
+                  "are as measured.",
+                  level.drive_frequency, off, level.frequency.std));
 }
 
 void flag_model(ModalLevel& level, const ModalRecord& record) {

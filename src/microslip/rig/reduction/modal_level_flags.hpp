@@ -10,7 +10,7 @@
 #include "microslip/rig/setup/structure_test.hpp"
 
 /// @file
-/// What is to be looked at in a modal level. Internal to rig.
+/// Flags of a modal level. Internal to rig.
 
 namespace microslip {
 
@@ -18,7 +18,7 @@ namespace microslip {
 struct ModalRecord {
   const FittedRecord& record;
   const JointsObserver& observer;
-  const std::vector<double>& misfit;  ///< one an accelerometer
+  const std::vector<double>& misfit;  ///< one per accelerometer
   bool resonance_found;
   const StructureTest& test;
   const ModalReductionOptions& options;

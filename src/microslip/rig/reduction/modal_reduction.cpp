@@ -35,7 +35,7 @@ std::string only_force(const Recording& recording) {
   if (found.size() == 1) return found.front();
   throw InputError(fmt::format("{}: channel of the force", recording.source),
                    InputState{found.empty() ? "missing" : "there several times"},
-                   "must be the one of a force, or be named",
+                   "must be the only one of a force, or be named",
                    fmt::format("The channels are {}.", names_of_channels(recording)));
 }
 
@@ -59,7 +59,7 @@ void check_test(const StructureTest& test) {
                      [&](const PointSensor& other) { return other.channel == sensor->channel; });
     if (same == sensor && sensor->channel != test.force_channel) continue;
     throw InputError("channel of an accelerometer", sensor->channel,
-                     "must be another than those of the other sensors");
+                     "must differ from those of the other sensors");
   }
 }
 
@@ -84,7 +84,7 @@ std::size_t nearest_mode(const std::vector<double>& stuck, double frequency) {
 }
 
 /// The forces of the stuck joints in a mode with the amplitude that the accelerometers show. The
-/// shape of a slipping structure is another, so that a joint at rest in this one can do something.
+/// shape of a slipping structure differs, so that a joint at rest in this one may have a force.
 std::vector<double> joint_forces(const StructureTest& test, std::size_t mode,
                                  const FourierFit& fit) {
   constexpr double kStill = 1e-4;
@@ -106,8 +106,8 @@ std::vector<double> joint_forces(const StructureTest& test, std::size_t mode,
     for (const double value : place) whole += value * value;
   }
   if (!(size > kStill * kStill * whole)) {
-    throw InputError("accelerometers", fmt::format("still in mode {}", mode + 1),
-                     "must be where the mode moves one of them at least");
+    throw InputError("accelerometers", fmt::format("all at nodes of mode {}", mode + 1),
+                     "must include one that the mode moves");
   }
   const double amplitude = std::abs(match) / size;
   std::vector<double> forces;
@@ -121,7 +121,7 @@ std::vector<double> joint_forces(const StructureTest& test, std::size_t mode,
 
 // ---- Standard deviations. ----
 
-/// What one unit of the noise of each coefficient of the first harmonic changes, summed.
+/// Standard deviation by the noise of each coefficient of the first harmonic.
 double noise_std(const ModalCycleReduction& reduction, const FourierFit& fit,
                  const CycleQuantity& quantity, double value) {
   double square = 0.0;
@@ -137,7 +137,7 @@ double noise_std(const ModalCycleReduction& reduction, const FourierFit& fit,
   return std::sqrt(square);
 }
 
-/// What is not seen adds: both phases of each direction are half of its variance.
+/// Standard deviation by unobserved directions: both phases of each are half of its variance.
 double unseen_std(const ModalCycleReduction& reduction, const FourierFit& fit,
                   const CycleQuantity& quantity, double value) {
   double square = 0.0;
@@ -206,7 +206,7 @@ void require_finite(const ModalLevel& level) {
            std::isfinite(joint.secant_stiffness.value);
   };
   if (std::ranges::all_of(level.joints, finite) && std::isfinite(level.dissipation.value)) return;
-  throw InputError(level.source + ": what the joints do", "not finite", "must be finite",
+  throw InputError(level.source + ": motion of the joints", "not finite", "must be finite",
                    "Check the shapes and frequencies of the model.");
 }
 

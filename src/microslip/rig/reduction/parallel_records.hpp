@@ -12,7 +12,7 @@
 #include "microslip/rig/reduction/record_batch.hpp"
 
 /// @file
-/// Work on the records of many files, several files at once. Internal to rig.
+/// Processing of the records of many files, several files at once. Internal to rig.
 
 namespace microslip {
 
@@ -24,7 +24,7 @@ namespace microslip {
   }
 }
 
-/// What became of one file.
+/// Outcome of one file.
 template <typename Result>
 struct FileOutcome {
   std::vector<Result> results;
@@ -51,18 +51,18 @@ FileOutcome<Result> work_on_file(std::size_t index, const RecordReader& read, co
   return outcome;
 }
 
-/// Reads `count` files and puts what `work` makes of their records into `results`, in the order of
-/// the files and of the records in each, whatever the number of threads. Each record is forgotten
+/// Reads `count` files and puts the results of `work` on their records into `results`, in the order
+/// of the files and of the records in each, whatever the number of threads. Each record is released
 /// when it is done.
-/// @return what was left out.
-/// @throws Error  as `read` and `work`. @throws Cancelled  as progress or `read` says
+/// @return the records left out.
+/// @throws Error  as `read` and `work`. @throws Cancelled  as requested by progress or `read`
 template <typename Result, typename Work>
 std::vector<RejectedRecord> work_on_records(std::size_t count, const RecordReader& read,
                                             const Work& work, const RecordBatchOptions& options,
                                             std::vector<Result>& results) {
   std::vector<FileOutcome<Result>> outcomes(count);
-  // A fault is kept with its file, so that of several the first in order is told, whatever thread
-  // met it first.
+  // A fault is kept with its file, so that of several the first in order is reported, whatever
+  // thread met it first.
   options.execution.for_each(
       count, [&](std::size_t i) { outcomes[i] = work_on_file<Result>(i, read, work); },
       options.progress);

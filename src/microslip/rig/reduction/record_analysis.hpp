@@ -11,7 +11,7 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// What a record of a rig holds, before it becomes a level and its flags. Internal to rig.
+/// Analysis of a record of a rig, before its level and flags. Internal to rig.
 
 namespace microslip {
 

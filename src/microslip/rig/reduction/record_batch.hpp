@@ -11,7 +11,7 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// What the computations on the records of many files share.
+/// Common parts of computations on the records of many files.
 
 namespace microslip {
 
@@ -21,12 +21,12 @@ using RecordReader = std::function<std::vector<Recording>(std::size_t index)>;
 /// A file of a batch that could not be read, or a record of it that could not be worked on.
 struct RejectedRecord {
   std::size_t index = 0;  ///< of the file
-  std::string reason;     ///< what the error says
+  std::string reason;     ///< text of the error
 };
 
 /// How the files of a batch are worked on.
 struct RecordBatchOptions {
-  /// Leave out files that cannot be read and records that cannot be worked on, and say so.
+  /// Leave out files that cannot be read and records that cannot be processed, and list them.
   /// Otherwise the first of them, in the order of the files, ends the batch.
   bool skip_faulty = false;
   Progress progress = {};                      ///< files done of all files

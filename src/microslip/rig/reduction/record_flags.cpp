@@ -19,9 +19,9 @@ constexpr double kFewCycles = 10.0;
 /// The largest of 1e9 residuals of normal noise is at 6 of its standard deviations.
 constexpr double kSpike = 8.0;
 /// A noisy cycle is not one out of step.
-constexpr double kTellingPhase = 5.0;  // standard deviations
+constexpr double kSignificantPhase = 5.0;  // standard deviations
 
-/// A jump of the phase, lost samples, a drive whose frequency wanders: some cycle is out of step
+/// A jump of the phase, lost samples, a drive whose frequency drifts: some cycle is out of phase
 /// with the whole record.
 void flag_phase(std::vector<Warning>& flags, const FittedRecord& record, std::size_t signal,
                 double most) {
@@ -37,11 +37,11 @@ void flag_phase(std::vector<Warning>& flags, const FittedRecord& record, std::si
   const double cycles = static_cast<double>(record.cycles.block.size());
   const double noise = record.fit.residual_rms[signal] / std::abs(whole) *
                        std::sqrt(2.0 * cycles / static_cast<double>(record.fit.points));
-  if (largest <= std::max(most, kTellingPhase * noise)) return;
+  if (largest <= std::max(most, kSignificantPhase * noise)) return;
   add_flag_once(
       flags, "phase_unsteady",
-      fmt::format("No steady state: at {:.4g} s channel '{}' is {:.2g} rad out of step with the "
-                  "whole record. Are samples missing, or does the drive's frequency wander?",
+      fmt::format("No steady state: at {:.4g} s channel '{}' is {:.2g} rad out of phase with the "
+                  "whole record. Are samples missing, or does the drive's frequency drift?",
                   when, record.signals.names[signal], largest));
 }
 
@@ -96,7 +96,7 @@ void flag_record(std::vector<Warning>& flags, const FittedRecord& record, double
   }
   if (record.fit.cycles >= kFewCycles) return;
   add_flag_once(flags, "few_cycles",
-                fmt::format("{:.1f} cycles: their scatter says little.", record.fit.cycles));
+                fmt::format("{:.1f} cycles: too few for a reliable scatter.", record.fit.cycles));
 }
 
 }  // namespace microslip

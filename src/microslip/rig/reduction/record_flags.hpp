@@ -8,11 +8,11 @@
 #include "microslip/rig/reduction/fitted_record.hpp"
 
 /// @file
-/// What is to be looked at in a record, whatever it is reduced to. Internal to rig.
+/// Flags of a record, whatever it is reduced to. Internal to rig.
 
 namespace microslip {
 
-/// Of a code that is there only the first flag stays.
+/// Adds a flag unless there is one of its code already.
 void add_flag_once(std::vector<Warning>& flags, std::string_view code, std::string_view text);
 
 /// Harmonics 2 … H of the force over the first, 1, less what noise alone makes of them.

@@ -14,8 +14,8 @@
 namespace microslip {
 namespace {
 
-/// Of the share of the shortening in the amplitude, what the mean tension that goes with it, and
-/// that no sensor sees, can do to k_eq: 0.045 in the reference rig at its highest level, less
+/// Error of k_eq over the share of the shortening in the amplitude, by the mean tension that goes
+/// with it and that no sensor measures: 0.045 in the reference rig at its highest level, less
 /// below.
 constexpr double kShorteningInStiffness = 0.05;
 
@@ -30,8 +30,8 @@ double std_of(const std::vector<CycleResult>& cycles, Quantity quantity, double 
   return std::isfinite(error) ? error : otherwise;
 }
 
-/// Noise of u: that of the vibrometer, or of the accelerometer that sees the joint most,
-/// integrated.
+/// Noise of u: that of the vibrometer, or of the accelerometer with the largest motion of the
+/// joint, integrated.
 std::vector<double> displacement_std(const RecordAnalysis& record) {
   const FourierFit& fit = record.fit;
   const SignalLayout& layout = record.layout;
@@ -73,7 +73,8 @@ void set_energies(ReducedLevel& level, const RecordAnalysis& record) {
   level.input_energy_by_sum = Measured{sum.energy, sum.std_error};
 }
 
-/// A, and k_eq where k is known; its standard deviation holds what the unseen mean tension may do.
+/// A, and k_eq where k is known; its standard deviation includes the possible effect of the
+/// unmeasured mean tension.
 void set_joint(ReducedLevel& level, const RecordAnalysis& record, bool stiffness_is_known) {
   const CycleResult& whole = record.whole;
   const std::vector<double> noise = displacement_std(record);

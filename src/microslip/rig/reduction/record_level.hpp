@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// What an analysed record tells, with its flags: the second half of Reducer::reduce().
+/// Level of an analysed record, with its flags: the second half of Reducer::reduce().
 [[nodiscard]] ReducedLevel reduced_level(const RecordAnalysis& record, const Rig& rig,
                                          const StickState& state, const ReductionOptions& options);
 

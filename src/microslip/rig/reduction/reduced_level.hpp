@@ -10,7 +10,7 @@
 #include "microslip/base/summary.hpp"
 
 /// @file
-/// What a steady record becomes: a level of a test.
+/// Level of a test, reduced from a steady record.
 
 namespace microslip {
 
@@ -21,10 +21,10 @@ inline constexpr std::string_view kNegativeDissipation = "dissipation_negative";
 /// A value with its standard deviation.
 struct Measured {
   double value = 0.0;  ///< in the unit of what is measured
-  double std = 0.0;    ///< 0 where nothing is known of it
+  double std = 0.0;    ///< 0 where it is not known
 };
 
-/// What one record tells.
+/// Level of one record.
 struct ReducedLevel {
   std::string source;                ///< of the record
   double frequency = 0.0;            ///< of the cycle, as fitted, Hz
@@ -37,14 +37,14 @@ struct ReducedLevel {
   /// W_ext by the sum over the samples, J [AR14 (17)]; where an accelerometer is at the exciter.
   std::optional<Measured> input_energy_by_sum = {};
   double linear_dissipation = 0.0;  ///< W_lin, J [AR14 (18), harmonic n counted n times]
-  std::optional<Measured> secant_stiffness = {};  ///< k_eq, N/m; nothing where k is not known
+  std::optional<Measured> secant_stiffness = {};  ///< k_eq, N/m; none where k is not known
   /// Harmonics 2 … H of the force over the first, 1; less what the noise of the channel alone
   /// shows.
   double force_distortion = 0.0;
   std::size_t reversals = 2;  ///< of the joint displacement in a cycle
   double cycles = 0.0;        ///< in the record
   double misfit = 0.0;        ///< the worst of the accelerometers against the rig's motion, 1
-  /// What is to be looked at, each once; `code` is what the column `flags` of levels.csv shows.
+  /// Faults to be checked, each once; `code` is shown in the column `flags` of levels.csv.
   std::vector<Warning> flags = {};
 
   /// Whether one of the flags has this code.

@@ -10,7 +10,7 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// From a steady record to a level: what the joint dissipated in a cycle, and at which amplitude.
+/// From a steady record to a level: the dissipation of the joint per cycle and its amplitude.
 
 namespace microslip {
 
@@ -20,7 +20,7 @@ namespace microslip {
 /// force and accelerations (ModalObserver), W_lin from them in the stick-state modes with their own
 /// ω_i: the linear damping was identified there and does not change with amplitude. W_ext is the
 /// work of the force on the accelerometer at the exciter, or on the observed motion where there is
-/// none. u is what the vibrometer shows, or the kinematics with the axial compliance [AR14 (13)].
+/// none. u is that of the vibrometer, or of the kinematics with the axial compliance [AR14 (13)].
 /// Standard deviations come from the scatter over the cycles. The secant stiffness is that of the
 /// loop that the joint's force and displacement draw, as if u were harmonic,
 ///
@@ -28,8 +28,8 @@ namespace microslip {
 ///
 /// the force follows from the balance of the structure at the measured phase, not from the setting
 /// of the drive. An error of the rig's first frequency moves it as a whole, which its standard
-/// deviation does not contain. To its standard deviation is added what the mean tension by the
-/// shortening may do, which no sensor sees.
+/// deviation does not contain. Its standard deviation includes the possible effect of the mean
+/// tension by the shortening, which no sensor measures.
 ///
 /// Flags of D and k_eq: `inner_reversals`, `dissipation_negative`, `dissipation_in_noise` (D below
 /// three standard deviations), `dissipation_above_bound` (D > kA², which no Iwan joint reaches),
@@ -43,7 +43,7 @@ class Reducer {
   /// @throws InputError  as check_rig() and stick_state(), and naming an option out of range.
   explicit Reducer(Rig rig, ReductionOptions options = {});
 
-  /// The level that a record holds.
+  /// The level of a record.
   /// @throws InputError  naming the source: a channel is missing, of another unit or length, there
   ///                     is no steady vibration in it (and why not).
   [[nodiscard]] ReducedLevel reduce(const Recording& recording) const;

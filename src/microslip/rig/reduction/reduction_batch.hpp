@@ -12,12 +12,13 @@ namespace microslip {
 /// The levels of many files.
 struct ReductionBatch {
   std::vector<ReducedLevel> levels;      ///< in the order of the files and of the records in each
-  std::vector<RejectedRecord> rejected;  ///< with `skip_faulty`: what was left out
+  std::vector<RejectedRecord> rejected;  ///< with `skip_faulty`: the records left out
 };
 
-/// Reads and reduces `count` files, several at once; each is forgotten when it is reduced. The
+/// Reads and reduces `count` files, several at once; each is released when it is reduced. The
 /// result does not depend on the number of threads.
-/// @throws Error  as `read` and Reducer::reduce(). @throws Cancelled  as progress or `read` says
+/// @throws Error  as `read` and Reducer::reduce(). @throws Cancelled  as requested by progress or
+/// `read`
 [[nodiscard]] ReductionBatch reduce_batch(const Reducer& reducer, std::size_t count,
                                           const RecordReader& read,
                                           const RecordBatchOptions& options = {});

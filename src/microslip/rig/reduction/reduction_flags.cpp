@@ -15,12 +15,12 @@
 namespace microslip {
 namespace {
 
-constexpr double kTelling = 3.0;  // standard deviations
-/// Of the drive in the rig's first mode: beyond, the rig is not the one that was measured.
+constexpr double kSignificant = 3.0;  // standard deviations
+/// Largest ratio of the drive to the rig's first mode: beyond it the rig is not the measured one.
 constexpr double kFarFromMode = 1.5;
 constexpr double kMostAboveStuck = 1.1;
-/// Of an energy: two ways of summing differ by more than rounding.
-constexpr double kTellingEnergy = 1e-6;
+/// Relative difference of an energy by two summations that is more than rounding.
+constexpr double kSignificantEnergy = 1e-6;
 
 void add_flag(ReducedLevel& level, std::string_view code, std::string_view text) {
   add_flag_once(level.flags, code, text);
@@ -30,11 +30,10 @@ void add_flag(ReducedLevel& level, std::string_view code, std::string_view text)
 
 void flag_reversals(ReducedLevel& level) {
   if (level.reversals <= 2) return;
-  add_flag(
-      level, kInnerReversals,
-      fmt::format("{} reversals of the joint displacement in a cycle: the density follows from "
-                  "D where there are 2.",
-                  level.reversals));
+  add_flag(level, kInnerReversals,
+           fmt::format("{} reversals of the joint displacement per cycle: the density follows from "
+                       "D where there are 2.",
+                       level.reversals));
 }
 
 void flag_dissipation(ReducedLevel& level, double stiffness) {
@@ -50,9 +49,9 @@ void flag_dissipation(ReducedLevel& level, double stiffness) {
     add_flag(
         level, "dissipation_above_bound",
         fmt::format("D = {:.3g} J is above k A^2 = {:.3g} J, the most that a joint of stiffness k "
-                    "can take. Check the units of force, acceleration and displacement.",
+                    "can lose. Check the units of force, acceleration and displacement.",
                     d.value, bound));
-  } else if (d.value < kTelling * d.std) {
+  } else if (d.value < kSignificant * d.std) {
     add_flag(level, "dissipation_in_noise",
              fmt::format("D = {:.3g} J has a standard deviation of {:.3g} J.", d.value, d.std));
   }
@@ -87,7 +86,8 @@ void flag_energies(ReducedLevel& level) {
   const Measured& sum = *level.input_energy_by_sum;
   const double difference = std::abs(level.input_energy.value - sum.value);
   const double error = std::hypot(level.input_energy.std, sum.std);
-  if (!(difference > kTelling * error) || difference < kTellingEnergy * std::abs(sum.value)) return;
+  if (!(difference > kSignificant * error) || difference < kSignificantEnergy * std::abs(sum.value))
+    return;
   add_flag(
       level, "energies_differ",
       fmt::format("The input energy is {:.4g} J by the Fourier coefficients and {:.4g} J by the "

@@ -8,12 +8,12 @@
 #include "microslip/rig/setup/stick_state.hpp"
 
 /// @file
-/// What is to be looked at in a level. Internal to rig.
+/// Flags of a level. Internal to rig.
 
 namespace microslip {
 
-/// Adds the flags that Reducer documents to a level whose values are set. Those of what makes D and
-/// k_eq wrong come first; a k_eq that is not positive is taken out.
+/// Adds the flags that Reducer documents to a level whose values are set. Those of wrong D and k_eq
+/// come first; a k_eq that is not positive is removed.
 void add_flags(ReducedLevel& level, const RecordAnalysis& record, const Rig& rig,
                const StickState& state, const ReductionOptions& options);
 

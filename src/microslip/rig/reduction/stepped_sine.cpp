@@ -41,8 +41,8 @@ ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& swee
   const std::optional<SweepResonance> found = resonance_of(sweep);
   const SignalLayout layout = signal_layout(reducer.rig(), false);
   if (layout.accelerometers != 1 || !layout.at_exciter) {
-    throw InputError("accelerometer", fmt::format("{} of them", layout.accelerometers),
-                     "must be one, at the exciter, for a stepped-sine table",
+    throw InputError("accelerometer", fmt::format("{} accelerometers", layout.accelerometers),
+                     "must be 1, at the exciter, for a stepped-sine table",
                      "The table has one acceleration.");
   }
   if (!found) throw_no_resonance(sweep);

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// The level that a sweep holds, by its resonance_of() (sweep_resonance.hpp). There
+/// The level of a sweep, by its resonance_of() (sweep_resonance.hpp). There
 ///
 ///     W_ext = π |F_1| |A_1|/ω²,
 ///

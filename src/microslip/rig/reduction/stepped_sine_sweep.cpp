@@ -31,7 +31,7 @@ void check_column(const SteppedSine& sweep, std::string_view name,
 void check_stepped_sine(const SteppedSine& sweep) {
   if (sweep.frequency.size() < 2) {
     throw InputError(sweep.source, fmt::format("{} steps", sweep.frequency.size()),
-                     "must have 2 at least");
+                     "must have at least 2");
   }
   check_column(sweep, "frequency", sweep.frequency, true);
   check_column(sweep, "force", sweep.force, true);

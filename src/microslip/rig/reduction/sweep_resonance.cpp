@@ -20,7 +20,7 @@ constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kCoarseStep = 30.0 * kDegree;
 constexpr double kLeastLag = 30.0 * kDegree;     // of steps whose scatter counts, and of π less it
-constexpr double kFarthestLag = 15.0 * kDegree;  // of steps that tell the mass, likewise
+constexpr double kFarthestLag = 15.0 * kDegree;  // of steps for the mass, and π less it
 constexpr Eigen::Index kUnknowns = 3;            // of a fit to them
 
 /// A step of a sweep, by its dynamic stiffness Z = K + iC.
@@ -39,11 +39,11 @@ struct Passage {
   double share = 0.0;     // of the distance in ω²
   std::size_t place = 0;  // of the second in the sweep
   double mass = 0.0;      // −dK/dω² far from here, where k is as much on either side, kg
-  double bend = 0.0;      // what ln C may be off by where it is not straight, by other steps
+  double bend = 0.0;      // possible error of ln C where it is not straight, by other steps
 
-  /// Of two values on a straight line.
+  /// Linear interpolation of two values.
   [[nodiscard]] double between(double a, double b) const { return std::lerp(a, b, share); }
-  /// Of two logarithms on a straight line.
+  /// Linear interpolation of two logarithms.
   [[nodiscard]] double geometric(double a, double b) const { return a * std::pow(b / a, share); }
 
   [[nodiscard]] double square() const { return between(before.square, behind.square); }
@@ -53,14 +53,14 @@ struct Passage {
   [[nodiscard]] double lossy() const { return geometric(before.lossy, behind.lossy); }
   /// ω² that |K| takes to grow from 0 to C.
   [[nodiscard]] double half_width() const { return lossy() / mass; }
-  /// What k, without the mass, changes by, N/m.
+  /// Change of k, without the mass, N/m.
   [[nodiscard]] double softening() const {
     return std::abs(before.elastic - behind.elastic) - mass * (behind.square - before.square);
   }
 };
 
-/// By rising frequency. The sign of the phase is one of convention, and a passive structure takes
-/// energy.
+/// The steps by rising frequency. The sign of the phase is a convention, and a passive structure
+/// takes energy.
 std::vector<StiffnessStep> stiffness_steps(const SteppedSine& sweep) {
   std::vector<StiffnessStep> steps;
   for (std::size_t i = 0; i < sweep.frequency.size(); ++i) {
@@ -76,7 +76,7 @@ std::vector<StiffnessStep> stiffness_steps(const SteppedSine& sweep) {
 }
 
 /// The first and the last of the steps about a passage that are on the same sides of this resonance
-/// and near enough to tell mass and losses.
+/// and near enough to determine mass and losses.
 std::pair<std::size_t, std::size_t> telling(const std::vector<StiffnessStep>& steps,
                                             std::size_t place) {
   const auto same = [&](std::size_t i, std::size_t side) {
@@ -91,13 +91,13 @@ std::pair<std::size_t, std::size_t> telling(const std::vector<StiffnessStep>& st
   return {first, last};
 }
 
-/// By the farthest steps: between neighbours k may change by more than mω² does.
+/// The mass by the farthest steps: between neighbours k may change by more than mω² does.
 double mass_between(const StiffnessStep& first, const StiffnessStep& last) {
   return std::abs(first.elastic - last.elastic) / (last.square - first.square);
 }
 
-/// How far ln C of a step is off the straight line over ln X through two others; 0 where these lie
-/// too close to each other to tell.
+/// How far ln C of a step is off the straight line over ln X through two others; 0 where these are
+/// too close to each other.
 double departure_of_loss(const StiffnessStep& beyond, const StiffnessStep& near,
                          const StiffnessStep& step) {
   constexpr double kLeast = 0.5;  // of the distance to the step
@@ -126,7 +126,7 @@ double departure_by_displacement(std::span<const StiffnessStep> telling, const P
                   std::log(passage.lossy()));
 }
 
-/// What ln C at a passage may be off by, by the steps that tell of it.
+/// Possible error of ln C at a passage, by the conclusive steps.
 double bend_at(std::span<const StiffnessStep> telling, const Passage& passage, std::size_t place) {
   double beside = 0.0;
   if (place > 1) beside = departure_of_loss(telling[place - 2], passage.before, passage.behind);
@@ -153,14 +153,14 @@ std::vector<Passage> passages(const std::vector<StiffnessStep>& steps) {
   return found;
 }
 
-/// A phase of exactly half a turn has the sine of rounding.
-void check_damping_told(const SteppedSine& sweep, const StiffnessStep& step) {
+/// At a phase of exactly half a turn the sine is rounding.
+void check_phase_at_resonance(const SteppedSine& sweep, const StiffnessStep& step) {
   constexpr double kLeast = 1e-12;
   if (step.phase > kLeast && step.phase < std::numbers::pi - kLeast) return;
   throw InputError(sweep.source + ": phase",
                    fmt::format("{:.3g} rad beside the resonance, at {:.6g} Hz", step.phase,
                                std::sqrt(step.square) / (2.0 * std::numbers::pi)),
-                   "must be between 0 and half a turn there: its sine tells of the damping",
+                   "must be between 0 and half a turn there: its sine determines the damping",
                    "Sweep in finer steps.");
 }
 
@@ -178,9 +178,9 @@ struct Scatter {
   ReadingScatter readings = {};
 };
 
-/// What a least-squares fit leaves.
+/// Residual of a least-squares fit.
 Eigen::ArrayXd rest_of(const Eigen::MatrixXd& regressors, const Eigen::VectorXd& values) {
-  // What a response that was held does not tell is left out.
+  // Terms that a constant response does not determine are left out.
   constexpr double kThreshold = 1e-3;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(regressors);
   fit.setThreshold(kThreshold);
@@ -204,8 +204,8 @@ std::span<const StiffnessStep> steps_near(const std::vector<StiffnessStep>& step
   return std::span(steps).subspan(first, last - first);
 }
 
-/// Of a step against the cubic through two steps at either side: δ/√(1 + Σw²), w the weights of
-/// these.
+/// Deviation of a step from the cubic through two steps at either side: δ/√(1 + Σw²), w the weights
+/// of these.
 class CubicDeparture {
  public:
   /// @param near  at least 5. @param i  of the step, with two at either side.
@@ -243,10 +243,10 @@ class CubicDeparture {
   std::array<double, kPlaces.size()> weights_{1.0, 1.0, 1.0, 1.0};
 };
 
-/// Of steps so close that they are smooth from one to the next, whatever the joint. NaN where two
-/// are at one frequency. Departures of neighbours are of the same readings: at equal distances
-/// these are fourth differences, whose correlations 4/5, 2/5, 4/35 and 1/70 leave n/(1 + 2Σρ²) =
-/// n/2.63 of n degrees of freedom.
+/// Scatter of steps so close that they are smooth from one to the next, whatever the joint. NaN
+/// where two are at one frequency. Departures of neighbours are of the same readings: at equal
+/// distances these are fourth differences, whose correlations 4/5, 2/5, 4/35 and 1/70 leave n/(1 +
+/// 2Σρ²) = n/2.63 of n degrees of freedom.
 ReadingScatter scatter_among_neighbours(std::span<const StiffnessStep> near) {
   constexpr double kShareOfFreedom = 1.0 / 2.63;
   constexpr std::size_t kSides = 4;
@@ -268,7 +268,7 @@ ReadingScatter scatter_among_neighbours(std::span<const StiffnessStep> near) {
 
 /// The smaller of two estimates, as what the course of the steps is not like is in both.
 ReadingScatter smaller(const ReadingScatter& smooth, const ReadingScatter& local) {
-  constexpr std::size_t kLeastFreedom = 3;  // of one that tells more than it may be off
+  constexpr std::size_t kLeastFreedom = 3;  // of a scatter that is more informative than its error
   const bool less = std::hypot(local.amplitude, local.phase) <
                     std::hypot(smooth.amplitude, smooth.phase);  // false of NaN
   return less && local.freedom >= kLeastFreedom ? local : smooth;
@@ -340,8 +340,8 @@ std::optional<SweepResonance> resonance_of(const SteppedSine& sweep) {
   const std::vector<Passage> found = passages(steps);
   if (found.empty()) return std::nullopt;
   for (const Passage& passage : found) {
-    check_damping_told(sweep, passage.before);
-    check_damping_told(sweep, passage.behind);
+    check_phase_at_resonance(sweep, passage.before);
+    check_phase_at_resonance(sweep, passage.behind);
   }
   const Passage& passage = *std::ranges::max_element(
       found, {}, [](const Passage& one) { return one.square() * one.displacement(); });
@@ -361,9 +361,9 @@ std::vector<Warning> warnings_of(const SweepResonance& resonance) {
   if (resonance.phase_step > kCoarseStep) {
     warnings.push_back(
         {"coarse_steps",
-         fmt::format("The phase goes on by {:.0f}° between the two steps beside the resonance, "
-                     "more than {:.0f}°: force over amplitude there is known to {:.2g} % and no "
-                     "better than the phases of these two are. Sweep in finer steps.",
+         fmt::format("The phase changes by {:.0f}° between the two steps beside the resonance, "
+                     "more than {:.0f}°: force over amplitude there is known to {:.2g} %, no "
+                     "better than the phases of these two. Sweep in finer steps.",
                      resonance.phase_step / kDegree, kCoarseStep / kDegree,
                      100.0 * resonance.damping_std)});
   }

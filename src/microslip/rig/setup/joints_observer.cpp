@@ -22,12 +22,12 @@ using Eigen::Index;
 /// Noise over what a joint can do, above which a combination of joints is not seen.
 constexpr double kLeastSeen = 3.0;
 
-/// Least noise of an accelerometer over the largest of them all, where a record is without: that of
+/// Least noise of an accelerometer over the largest of all, where a record has none: that of
 /// rounding.
 constexpr double kRoundingNoise = 1e-12;
 
-/// Without loss the structure has no answer at a natural frequency. So much of the largest
-/// stiffness stands for it there.
+/// Without loss the structure has no response at a natural frequency. This share of the largest
+/// stiffness is used as loss there.
 constexpr double kLeastLoss = 1e-13;
 
 JointsComplex entry(const FourierSeries& series, Index n) {
@@ -68,14 +68,14 @@ void require_scales(const JointsObserverScales& scales, std::size_t joints, std:
 
 }  // namespace
 
-/// What does not change from cycle to cycle.
+/// Tables that do not change from cycle to cycle.
 struct JointsObserver::Tables {
-  /// One harmonic: what follows linearly from F_n and A_n.
+  /// One harmonic: the linear maps from F_n and A_n.
   struct HarmonicTable {
     Eigen::MatrixXcd modal;           ///< mode × (1 + joints): q per F and per h
     Eigen::MatrixXcd acceleration;    ///< sensor × (1 + joints)
     Eigen::MatrixXcd joint_estimate;  ///< joints × sensors: h per A − bF
-    Eigen::RowVectorXcd force_step;   ///< 1 × sensors: what is added to F, per A − bF
+    Eigen::RowVectorXcd force_step;   ///< 1 × sensors: correction of F, per A − bF
     Eigen::MatrixXcd unseen;          ///< joints × unseen directions, each of size s
   };
 
@@ -84,9 +84,9 @@ struct JointsObserver::Tables {
   Eigen::MatrixXd joints;            ///< mode × joint: Ψ
   Eigen::MatrixXd sensors;           ///< sensor × mode: S
   Eigen::VectorXd excitation;        ///< φ
-  Eigen::VectorXd stuck;             ///< k′, one a joint
-  Eigen::VectorXd compliance;        ///< c, one a joint
-  std::vector<HarmonicTable> table;  ///< one a harmonic
+  Eigen::VectorXd stuck;             ///< k′, one per joint
+  Eigen::VectorXd compliance;        ///< c, one per joint
+  std::vector<HarmonicTable> table;  ///< one per harmonic
   std::vector<UnseenDirection> unseen;
   std::vector<Index> unseen_column;  ///< of the direction in its table
   JointsObserverScales scales;
@@ -156,7 +156,7 @@ void JointsObserver::Tables::set_responses(const JointedStructure& structure,
   harmonic.acceleration = -frequency * frequency * (sensors * harmonic.modal);
 }
 
-/// Of the accelerations that the force and the joints leave: diag(σ_j²) + σ_F² b bᴴ.
+/// Covariance of the residual accelerations: diag(σ_j²) + σ_F² b bᴴ.
 Eigen::MatrixXcd JointsObserver::Tables::covariance(const HarmonicTable& harmonic, Index n) const {
   const auto entry_of = static_cast<std::size_t>(n);
   double largest = 0.0;
@@ -245,7 +245,7 @@ JointsMotion JointsObserver::Tables::motion(
     std::optional<std::pair<std::size_t, JointsComplex>> extra) const {
   if (static_cast<Index>(accelerations.size()) != sensors.rows()) {
     throw InputError("accelerations", static_cast<double>(accelerations.size()),
-                     fmt::format("must be {}, one an accelerometer", sensors.rows()));
+                     fmt::format("must be {}, one per accelerometer", sensors.rows()));
   }
   if (force.omega != omega) {
     throw InputError("omega of the force", force.omega, "must be that of the observer");
@@ -275,7 +275,7 @@ JointsMotion JointsObserver::Tables::motion(
     Eigen::VectorXcd loads(1 + beyond.size());
     loads << drive, beyond;
     const Eigen::VectorXcd rest = measured - harmonic.acceleration * loads;
-    // As displacements, as the misfit of one joint is.
+    // Weights of displacements, as for the misfit of one joint.
     const double weight = 1.0 / std::pow(static_cast<double>(n + 1), 4.0);
     left += weight * rest.cwiseAbs2();
     whole += weight * measured.cwiseAbs2();
@@ -286,13 +286,13 @@ JointsMotion JointsObserver::Tables::motion(
 
 void check_observable(const JointedStructure& structure, std::size_t accelerometers) {
   if (structure.joints().empty()) {
-    throw InputError("joint", InputState{"missing"}, "must be there once at least",
-                     "Without a joint there is nothing to be found.");
+    throw InputError("joint", InputState{"missing"}, "must be given at least once",
+                     "Without a joint there is nothing to identify.");
   }
   for (const StructuralJoint& joint : structure.joints()) {
     if (joint.shortening.empty()) continue;
     throw InputError(fmt::format("shortening of joint '{}'", joint.name), "given",
-                     "must not be given: joints that shorten are not observed from a model",
+                     "must not be given: joints with shortening are not observed from a model",
                      "Describe a beam on a rod as a rig with [beam].");
   }
   if (structure.excitations().size() != 1) {
@@ -300,7 +300,7 @@ void check_observable(const JointedStructure& structure, std::size_t acceleromet
                      "must be 1: one force is measured");
   }
   if (accelerometers == 0) {
-    throw InputError("accelerometers", "none", "must be one at least");
+    throw InputError("accelerometers", "none", "must be at least one");
   }
 }
 

@@ -13,12 +13,12 @@
 
 namespace microslip {
 
-/// What moves in one steady cycle of a structure with joints. Series without mean, of one ω.
+/// The motion of one steady cycle of a structure with joints. Series without mean, of one ω.
 struct JointsMotion {
   std::vector<FourierSeries> modal;         ///< q_i of the modes of the structure, m√kg
-  std::vector<FourierSeries> displacement;  ///< u_j, one a joint, m
+  std::vector<FourierSeries> displacement;  ///< u_j, one per joint, m
   std::vector<FourierSeries> force;         ///< F_j, the restoring forces, N
-  FourierSeries excitation;  ///< f, N: as measured, corrected by what the accelerometers say of it
+  FourierSeries excitation;                 ///< f, N: as measured, corrected by the accelerometers
   /// Per accelerometer: ‖measured − explained by the motion‖/‖measured‖ over the harmonics, 1.
   std::vector<double> misfit;
 };
@@ -33,37 +33,37 @@ struct UnseenDirection {
 struct JointsObserverScales {
   /// Standard errors of Re F_n and Im F_n, entry n − 1, N; ≥ 0.
   std::vector<double> force_std;
-  /// [accelerometer][n − 1], the same of A_jn, m/s²; ≥ 0.
+  /// [accelerometer][n − 1], standard deviation of A_jn, m/s²; ≥ 0.
   std::vector<std::vector<double>> acceleration_std;
   /// s_j, N; > 0: the force that joint j would have if it stuck, in its first harmonic. In harmonic
   /// n a joint is not taken to do more than s_j/n beyond sticking.
   std::vector<double> joint_force;
 };
 
-/// Whether JointsObserver can do with a structure.
-/// @param structure       with its joints and what drives it.
+/// Checks that JointsObserver can observe a structure.
+/// @param structure       with its joints and its excitation.
 /// @param accelerometers  their number.
-/// @throws InputError  where there is no joint, one shortens, there are several excitations, or
-///                     there is no accelerometer.
+/// @throws InputError  where there is no joint, one has shortening, there are several excitations,
+///                     or there is no accelerometer.
 void check_observable(const JointedStructure& structure, std::size_t accelerometers);
 
-/// Finds what the joints of a structure do from its force and its accelerations.
+/// Observes the motion of the joints of a structure from its force and its accelerations.
 ///
-/// With the joints stuck (k_j, and the compliance in series) the structure is linear. What joint j
-/// does beyond that, h_j = k_j′u_j − F_j, is one unknown complex number a harmonic:
+/// With the joints stuck (k_j, and the compliance in series) the structure is linear. The nonlinear
+/// force of joint j, h_j = k_j′u_j − F_j, is one unknown complex number per harmonic:
 ///
 ///     A_n = −(nω)² S Z_n⁻¹ [φ F_n + Ψ h_n] + noise,
 ///     Z_n = diag(ω_i² − (nω)² + damping) + Σ_j (k_j′ − k_s,j) ψ_jψ_jᵀ
 ///
 /// with S the shapes at the accelerometers, φ that at the exciter and Ψ those of the joints. h_n is
 /// that of generalised least squares: close to a resonance the noise of F_n moves all accelerations
-/// together, so that it stands in their covariance diag(σ_j²) + σ_F² b bᴴ, b = −(nω)² S Z_n⁻¹ φ
-/// [Aitken]. All modes take part however few the
-/// accelerometers are; the modes stay those in which the damping is known.
+/// together, so that it is in their covariance diag(σ_j²) + σ_F² b bᴴ, b = −(nω)² S Z_n⁻¹ φ
+/// [Aitken]. All modes take part however few the accelerometers are; the modes stay those in which
+/// the damping is known.
 ///
-/// Combinations of the h_j (by singular values of what the accelerometers see of them, over the
-/// noise) in which noise is more than a third of s_j/n are not seen. There the joints are taken to
-/// stick, h = 0, and s_j/n is the standard deviation of that: unseen(). No other is held back.
+/// Combinations of the h_j (by singular values of their observed accelerations, over the noise) in
+/// which noise is more than a third of s_j/n are not observed. There the joints are taken to stick,
+/// h = 0, and s_j/n is the standard deviation of that: unseen(). No other is damped.
 class JointsObserver {
  public:
   /// @param structure       is copied. One excitation; joints without shortening.
@@ -81,17 +81,17 @@ class JointsObserver {
 
   /// The motion in one cycle.
   /// @param force          f, N.
-  /// @param accelerations  one an accelerometer, m/s².
+  /// @param accelerations  one per accelerometer, m/s².
   /// @throws InputError  where ω differs, or the number of accelerations.
   [[nodiscard]] JointsMotion observe(const FourierSeries& force,
                                      std::span<const FourierSeries> accelerations) const;
 
-  /// What is not seen: first harmonics before higher ones.
+  /// The unobserved directions: first harmonics before higher ones.
   [[nodiscard]] std::span<const UnseenDirection> unseen() const;
 
   /// observe() with one of unseen() not 0 but s, the standard deviation of it.
   /// @param force          f, N.
-  /// @param accelerations  one an accelerometer, m/s².
+  /// @param accelerations  one per accelerometer, m/s².
   /// @param direction      of unseen().
   /// @param phase          of s, rad.
   /// @throws InputError  as observe().

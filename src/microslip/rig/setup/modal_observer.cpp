@@ -14,14 +14,14 @@ namespace {
 using Complex = std::complex<double>;
 using RowVector = Eigen::RowVectorXd;
 
-/// Where the accelerometers hardly see the joint in a harmonic, noise would become a large g: it is
-/// held back below this share of what they would see if nothing cancelled. Above it g is that of
-/// least squares without a bias, for close to a resonance ψ g all but cancels φ(S) F: a millionth
-/// of it would be much of the motion.
+/// Where the accelerometers hardly show the joint in a harmonic, noise would become a large g: g is
+/// damped below this share of their motion without cancellation. Above it g is that of least
+/// squares without a bias, for close to a resonance ψ g all but cancels φ(S) F: a millionth of it
+/// would be much of the motion.
 constexpr double kLeastVisible = 1e-3;
 
-/// Without loss, a mode at its own frequency would move without a bound. So close to it, as a share
-/// of ω_i², the frequency counts as this far off: what that changes in the force is taken by g.
+/// Without loss, a mode at its own frequency would move without a bound. Closer to it, as a share
+/// of ω_i², the frequency is taken as this far off: g absorbs the change of the force.
 constexpr double kLeastDetuning = 1e-10;
 
 /// The shortening is a small correction; each pass gains some two digits.
@@ -52,7 +52,7 @@ FourierSeries series_of(const Eigen::RowVectorXcd& harmonics, double omega) {
 
 }  // namespace
 
-/// What does not change from cycle to cycle. Columns are harmonics.
+/// Tables that do not change from cycle to cycle. Columns are harmonics.
 struct ModalObserver::Tables {
   double omega = 0.0;
   Eigen::Index harmonics = 0;
@@ -132,7 +132,7 @@ void ModalObserver::Tables::set_wave() {
   }
 }
 
-/// g_n by least squares. @param known  mode × n: the modal forces beside ψ g.
+/// g_n by least squares. @param known  mode × n: the modal forces other than ψ g.
 Eigen::RowVectorXcd ModalObserver::Tables::joint_load(const Eigen::MatrixXcd& displacement,
                                                       const Eigen::MatrixXcd& known) const {
   const Eigen::MatrixXcd unexplained =
@@ -148,7 +148,7 @@ ModalObserver::ModalObserver(const StickState& state, double omega, std::size_t 
   tables_ = std::make_unique<const Tables>(state, omega, harmonics);
   if (!(tables_->least_size.minCoeff() > 0.0)) {
     throw InputError(
-        "accelerometer", "still when the joint moves",
+        "accelerometer", "at rest when the joint moves",
         "must be where one mode at least has a shape that is not 0, as it must have at "
         "the joint");
   }

@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// What moves in one steady cycle. Series without mean, of one ω.
+/// The motion of one steady cycle. Series without mean, of one ω.
 struct ModalMotion {
   std::vector<FourierSeries> modal;  ///< q_i, m√kg
   FourierSeries rotation;            ///< Σ ψ_i q_i, m: for a beam r w′(L)
@@ -24,8 +24,8 @@ struct ModalMotion {
 
 /// Finds the motion of a structure from its force and its accelerations.
 ///
-/// The only unknown in the equation of StickState is what the joint does, g: one complex number a
-/// harmonic. It is found from the accelerations by least squares,
+/// The only unknown in the equation of StickState is the force of the joint, g: one complex number
+/// per harmonic. It is found from the accelerations by least squares,
 ///
 ///     q_in = [φ_i(S) F_n + ψ_i g_n − (Γ q N)_in] / [ω_i²(1 + iη_i) − (nω)²],
 ///     g_n = arg min Σ_j |Σ_i φ_i(x_j) q_in + A_jn/(nω)²|²,
@@ -35,7 +35,7 @@ struct ModalMotion {
 /// there are accelerometers leaves the others out: for three, 0.2 % of the linear dissipation and
 /// 1 % of the joint displacement at the highest level of the reference rig.) The quadratic term of
 /// the shortening is found by iteration, without the means of q and N, which accelerometers do not
-/// see.
+/// measure.
 class ModalObserver {
  public:
   /// @param state      is copied.
@@ -51,7 +51,7 @@ class ModalObserver {
 
   /// The motion in one cycle.
   /// @param force          f, N.
-  /// @param accelerations  one an accelerometer of the state, m/s².
+  /// @param accelerations  one per accelerometer of the state, m/s².
   /// @throws InputError  where ω differs, or the number of accelerations.
   [[nodiscard]] ModalMotion observe(const FourierSeries& force,
                                     std::span<const FourierSeries> accelerations) const;

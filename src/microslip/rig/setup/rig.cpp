@@ -49,7 +49,7 @@ void check_beam(const RigBeam& beam) {
 void check_shape(std::string_view field, const std::vector<double>& shape, std::size_t modes) {
   if (shape.size() != modes) {
     throw InputError(field, fmt::format("{} values", shape.size()),
-                     fmt::format("must have {}, one a mode of modes.frequency", modes));
+                     fmt::format("must have {}, one per mode of modes.frequency", modes));
   }
   for (const double value : shape) {
     if (!std::isfinite(value)) throw InputError(field, value, "must be finite");
@@ -58,14 +58,14 @@ void check_shape(std::string_view field, const std::vector<double>& shape, std::
 
 void check_modes(const RigModes& modes) {
   if (modes.frequency.empty()) {
-    throw InputError("modes.frequency", "[]", "must have one value at least");
+    throw InputError("modes.frequency", "[]", "must have at least one value");
   }
   double before = 0.0;
   for (const double frequency : modes.frequency) {
     require_positive("modes.frequency", frequency);
     if (frequency < before) {
       throw InputError("modes.frequency", frequency,
-                       fmt::format("must not be below the value before it, {}", before),
+                       fmt::format("must not be below the previous value, {}", before),
                        "Sort the modes, and their shapes with them.");
     }
     before = frequency;
@@ -91,7 +91,7 @@ void check_contact(const Rig& rig) {
 
 void check_loss_factors(const std::vector<double>& loss_factors) {
   if (loss_factors.empty()) {
-    throw InputError("loss_factor", "[]", "must have one value at least",
+    throw InputError("loss_factor", "[]", "must have at least one value",
                      "[0] if there is no linear damping.");
   }
   for (const double loss_factor : loss_factors) {
@@ -105,8 +105,8 @@ void check_masses(const Rig& rig) {
   for (std::size_t i = 0; i < rig.masses.size(); ++i) {
     const RigMass& mass = rig.masses[i];
     if (!rig.beam()) {
-      throw InputError("masses", fmt::format("{} of them", rig.masses.size()),
-                       "must not be there with modes", "The modes contain all masses.");
+      throw InputError("masses", fmt::format("{} given", rig.masses.size()),
+                       "must not be given with modes", "The modes contain all masses.");
     }
     require_non_negative(fmt::format("masses[{}].mass", i), mass.mass);
     if (mass.position >= 0.0 && mass.position <= rig.beam()->length) continue;
@@ -125,7 +125,7 @@ void check_position(const RigBeam& beam, std::string_view field, double position
 
 void check_sensors(const Rig& rig) {
   if (rig.accelerometers.empty()) {
-    throw InputError("accelerometers", "none", "must be there once at least",
+    throw InputError("accelerometers", "none", "must be given at least once",
                      "Add one with its position and channel.");
   }
   if (rig.beam()) check_position(*rig.beam(), "excitation.position", rig.excitation.position);

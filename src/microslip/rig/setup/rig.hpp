@@ -62,7 +62,7 @@ struct RigSensor {
 
 /// A displacement sensor at the joint.
 struct RigVibrometer {
-  /// What a vibrometer shows.
+  /// Quantity that a vibrometer measures.
   enum class Measures {
     kJoint,  ///< the joint displacement u itself
     kAxial,  ///< the axial motion of the beam's centre line, to which r w′(L) is added [AR14 (13)]

@@ -27,8 +27,8 @@ ModalModel rig_modes(const Rig& rig, const StickState& state) {
 
 namespace {
 
-/// Modes that were typed in hold what their rounding left: without the joint no mode may have less
-/// than no stiffness, which is kΣψ_i²/ω_i² ≤ 1.
+/// Checks modes given with rounding: without the joint no mode may have a negative stiffness, which
+/// is kΣψ_i²/ω_i² ≤ 1.
 void check_modes_hold(const Rig& rig, const StickState& state, double spring) {
   if (!rig.modes()) return;
   double flexibility = 0.0;
@@ -45,7 +45,7 @@ void check_modes_hold(const Rig& rig, const StickState& state, double spring) {
                   1.0 / flexibility, spring),
       share > kRounding
           ? "Check k, the shape and the frequency."
-          : fmt::format("If the joint is all the stiffness there is, rounding does this: make the "
+          : fmt::format("If the joint is the only stiffness, this is rounding: make the "
                         "shape at the joint {:.2g} % smaller. Otherwise check k, the shape and the "
                         "frequency.",
                         110.0 * (1.0 - 1.0 / std::sqrt(share))));
@@ -72,10 +72,11 @@ std::optional<Warning> stiffness_warning(const StickState& state, const Joint& j
   constexpr double kMostDifference = 0.01;
   const double k = state.stiffness;
   if (k <= 0.0 || std::abs(joint.stiffness() / k - 1.0) <= kMostDifference) return std::nullopt;
-  return Warning{"stiffness_differs",
-                 fmt::format("The joint has k = {:.5g} N/m, the contact of the rig {:.5g} N/m, by "
-                             "which its modes were computed. Give both the same.",
-                             joint.stiffness(), k)};
+  return Warning{
+      "stiffness_differs",
+      fmt::format("The joint has k = {:.5g} N/m, the contact of the rig {:.5g} N/m, with "
+                  "which its modes were computed. Give both the same.",
+                  joint.stiffness(), k)};
 }
 
 }  // namespace microslip

@@ -24,16 +24,15 @@ inline constexpr std::string_view kContact = "contact";
 [[nodiscard]] ModalModel rig_modes(const Rig& rig, const StickState& state);
 
 /// The structure of a test with a joint in its contact, for prediction: the modes of its stick
-/// state, rig_modes(), with hysteretic damping as the reduction has it, and the joint with the
+/// state, rig_modes(), with hysteretic damping as in the reduction, and the joint with the
 /// shortening and the axial compliance [AR14 (12) (13)].
 /// @param rig    a test.
 /// @param state  of this rig.
-/// @param joint  its stiffness may be another than the rig's k: the spring in the modes, which is
-///               taken out again, is the rig's; for modes of a rig without k, that of the joint.
+/// @param joint  its stiffness may differ from the rig's k: the spring in the modes, which is
+///               subtracted, is the rig's; for modes of a rig without k, that of the joint.
 /// @param force  s_1, s_2, …, 1: see Excitation.
 /// @param linear_damping  β of the joint, J/m²: see StructuralJoint. The loss factors of the rig
-///                        stay beside it, as the reduction had taken their loss off when β was
-///                        found.
+///                        remain, as the reduction had subtracted their loss when β was identified.
 /// @throws InputError  as JointedStructure.
 [[nodiscard]] JointedStructure rig_structure(const Rig& rig, const StickState& state, Joint joint,
                                              std::vector<std::complex<double>> force = {1.0},

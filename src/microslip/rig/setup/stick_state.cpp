@@ -26,8 +26,8 @@ Beam beam_of(const Rig& rig) {
   return result;
 }
 
-/// k from the stick frequency: of the spring that the frequency shows, the axial compliance is a
-/// part in series with the joint.
+/// k from the stick frequency: the spring by the frequency includes the axial compliance in series
+/// with the joint.
 double stiffness_from_stick_frequency(const Rig& rig, const Beam& beam, double axial_compliance) {
   const double frequency = *rig.contact.stick_frequency;
   const double radius = rig.contact.rod_radius;

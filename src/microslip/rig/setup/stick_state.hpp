@@ -32,7 +32,7 @@ struct StickState {
 };
 
 /// Modes of a beam that are enough for its static deflection under a moment at L to have converged
-/// to 1 %: what the joint displacement without vibrometer needs.
+/// to 1 %: as needed for the joint displacement without vibrometer.
 inline constexpr std::size_t kBeamModes = 30;
 
 /// The stick state of a rig. Where the rig states the stick frequency, k follows from it: the

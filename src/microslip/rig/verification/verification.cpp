@@ -24,8 +24,8 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Noise reaches it in one harmonic of 3000; a resonance of a higher mode would make much of it.
-constexpr double kTellingHarmonic = 4.0;  // standard errors
-/// Of an offset from the frequency of the record.
+constexpr double kSignificantHarmonic = 4.0;  // standard errors
+/// Largest offset from the frequency of the record, relative.
 constexpr double kFarthest = 0.2;
 
 /// s_n of the excitation: the harmonics of the force over the first, with the zero of time where
@@ -37,14 +37,15 @@ std::vector<Complex> force_shape(const RecordAnalysis& record, bool sine) {
   const double size = std::abs(force.c(1));
   const double phase = std::arg(force.c(1));
   for (std::size_t n = 2; n <= force.order(); ++n) {
-    const bool told = std::abs(force.c(n)) > kTellingHarmonic * record.fit.harmonic_std[0][n - 1];
-    shape.push_back(told ? force.c(n) / size * std::polar(1.0, -static_cast<double>(n) * phase)
-                         : 0.0);
+    const bool significant =
+        std::abs(force.c(n)) > kSignificantHarmonic * record.fit.harmonic_std[0][n - 1];
+    shape.push_back(
+        significant ? force.c(n) / size * std::polar(1.0, -static_cast<double>(n) * phase) : 0.0);
   }
   return shape;
 }
 
-/// Of the displacement at the exciter behind the force, rad.
+/// Phase lag of the displacement at the exciter behind the force, rad.
 double recorded_lag(const RecordAnalysis& record) {
   return std::arg(-record.fit.series[0].c(1) * std::conj(record.whole.exciter_acceleration.c(1)));
 }
@@ -150,7 +151,7 @@ void add_histories(Verification& result, const RecordAnalysis& record, double cy
   }
 }
 
-/// η f of the record, Hz: what it lost in a cycle over 2π times its kinetic energy at most.
+/// η f of the record, Hz: its loss per cycle over 2π times its largest kinetic energy.
 double half_power_width(const RecordAnalysis& record) {
   double square = 0.0;
   for (const FourierSeries& modal : record.whole.motion.modal) square += std::norm(modal.c(1));
@@ -158,11 +159,11 @@ double half_power_width(const RecordAnalysis& record) {
   return record.whole.input_energy / (2.0 * std::numbers::pi * energy) * record.fit.frequency();
 }
 
-/// What a joint of a wrong stiffness or of wrong energies does to the prediction.
+/// Warns of the effects of a joint of wrong stiffness or wrong energies on the prediction.
 void add_misfits(const RecordAnalysis& record, Verification& result) {
   constexpr double kMostOffset = 0.1;  // of the half-power width
   constexpr double kMostForceError = 0.02;
-  constexpr double kTellingError = 3.0;  // times the noise
+  constexpr double kSignificantError = 3.0;  // times the noise
   const double width = half_power_width(record);
   const std::optional<double> offset = result.predicted.frequency_offset;
   if (offset && std::abs(*offset) > kMostOffset * width) {
@@ -171,15 +172,15 @@ void add_misfits(const RecordAnalysis& record, Verification& result) {
          fmt::format(
              "the resonance of the model lies {:.0f} mHz {} that of the record, {:.0f} % of "
              "the half-power width of {:.0f} mHz, so that force and phase near it are wrong. "
-             "Look at k of the joint and at the rig's first frequency.",
+             "Check k of the joint and the rig's first frequency.",
              1e3 * std::abs(*offset), *offset > 0.0 ? "above" : "below",
              100.0 * std::abs(*offset) / width, 1e3 * width)});
   }
   const ChannelComparison& force = result.channels.front();
-  if (force.nrmse > kMostForceError && force.nrmse > kTellingError * force.noise_share) {
+  if (force.nrmse > kMostForceError && force.nrmse > kSignificantError * force.noise_share) {
     result.warnings.push_back(
         {"force_off",
-         fmt::format("the force is predicted wrong by {} (NRMSE), {:.3g} times its noise. Look at "
+         fmt::format("the force is predicted wrong by {} (NRMSE), {:.3g} times its noise. Check "
                      "the sign of the force, the offset of the resonance and the energies.",
                      percent_text(force.nrmse), force.nrmse / force.noise_share)});
   }

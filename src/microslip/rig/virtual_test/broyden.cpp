@@ -28,7 +28,7 @@ VectorXcd Broyden::next(const VectorXcd& x, const VectorXcd& r) {
     const VectorXd predicted = inverse_ * (r_now - r_);
     const Eigen::RowVectorXd row = step.transpose() * inverse_;
     const double denominator = step.dot(predicted);
-    // Steps of rounding tell nothing of the derivative.
+    // Steps of rounding do not determine the derivative.
     constexpr double kLeast = 1e-3;
     if (std::abs(denominator) > kLeast * step.squaredNorm()) {
       inverse_ += (step - predicted) * row / denominator;

@@ -128,8 +128,8 @@ ShakenStructure::Outcome ShakenStructure::settle(const VectorXcd& generator) {
   if (s.converged() && !(error <= kTolerance)) {
     s.stop = Stop::kLimit;
     s.reason = fmt::format(
-        "the harmonics of the force do not settle on the shaker: after {} trials "
-        "they are {:.2g} of the fundamental off",
+        "the harmonics of the force of the shaker do not converge: after {} trials "
+        "they are off by {:.2g} of the fundamental",
         s.iterations, error);
   }
   s.residual = std::max(s.residual, error);

@@ -36,7 +36,7 @@ class RigInMotion {
   [[nodiscard]] const Rig& rig() const { return rig_; }
   [[nodiscard]] const StickState& state() const { return state_; }
   [[nodiscard]] std::size_t harmonics() const { return options_.harmonics; }
-  /// Of the spring in the modes, N/m.
+  /// Stiffness of the spring in the modes, N/m.
   [[nodiscard]] double stuck_stiffness() const;
   /// w_n at the exciter, entry n; m.
   [[nodiscard]] std::vector<std::complex<double>> exciter_displacement(
@@ -55,17 +55,17 @@ class RigInMotion {
 };
 
 /// Structure, joint and shaker together at one frequency of the drive and one response, which V_1
-/// holds. What acts on it are the voltages of the generator v_2 … v_H, in phase with V_1:
-/// V_n = v_n e^{inθ}, θ = arg V_1. Internal to rig.
+/// controls. It is driven by the voltages of the generator v_2 … v_H, in phase with V_1: V_n = v_n
+/// e^{inθ}, θ = arg V_1. Internal to rig.
 class ShakenStructure {
  public:
-  /// @param start  a vibration near that which is sought, of this rig.
+  /// @param start  a vibration of this rig near the one sought.
   ShakenStructure(const RigInMotion& motion, const RigShaker& shaker, double angular_frequency,
                   double response, SteadyVibration start);
 
   struct Outcome {
     DrivenVibration driven;
-    Eigen::VectorXcd force;  ///< F_n e^{−inθ}/F_1, n = 2 … H: what the controller sees
+    Eigen::VectorXcd force;  ///< F_n e^{−inθ}/F_1, n = 2 … H: input of the controller
     double drive = 0.0;      ///< |V_1|, V
     Summary summary;
   };
@@ -73,8 +73,8 @@ class ShakenStructure {
   /// The steady state, from the last one. Unknown are the harmonics of the force; each trial of
   /// them is a harmonic balance, and F_n = a_n V_n − b_n w_n is to hold. With the receptance R_n of
   /// the stuck structure that is r_n = [a_n (V_n − v_n e^{inθ})]/(1 + b_n R_n) = 0 for Broyden's
-  /// method, V_n being the voltage that F_n and w_n need; it is this that is returned, so that the
-  /// equations of the shaker hold to rounding, and the generator's voltage to the residual.
+  /// method, V_n being the voltage that F_n and w_n need; this is returned, so that the equations
+  /// of the shaker hold to rounding, and the generator's voltage to the residual.
   [[nodiscard]] Outcome settle(const Eigen::VectorXcd& generator);
 
   /// H_n = a_n/(1 + b_n R_n), n = 2 … H, N/V: of Outcome::force times F_1 over v_n, where the joint

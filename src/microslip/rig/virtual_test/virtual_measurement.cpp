@@ -27,13 +27,13 @@ using Eigen::VectorXcd;
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 constexpr double kCycles = 3.0;     // of a record at least
 constexpr double kCoarsest = 0.01;  // resolution of the drive over the stuck resonance
-/// Voltage of a harmonic over the fundamental by which H is measured: its force stands then beside
-/// that of the fundamental, which is small at resonance.
+/// Voltage of a harmonic over the fundamental for the measurement of H: its force then compares
+/// with that of the fundamental, which is small at resonance.
 constexpr double kProbe = 0.005;
 
 const RigTest& test_of(const Rig& rig) {
   if (rig.test) return *rig.test;
-  throw InputError("test", "none", "must be there for a virtual test",
+  throw InputError("test", "none", "must be given for a virtual test",
                    "Add a test with its responses, sampling rate and duration.");
 }
 
@@ -62,10 +62,10 @@ void check_sampling_rate(const RigTest& test, double frequency, std::size_t harm
   throw InputError("test.sampling_rate", test.sampling_rate,
                    fmt::format("must be above {:.0f}: twice harmonic {} of {}, {:.1f} Hz", least,
                                harmonics, of, frequency),
-                   "Slower samples would show the high harmonics as low ones.");
+                   "Slower sampling would alias the high harmonics.");
 }
 
-/// What follows from the stuck resonance, Hz.
+/// Checks against the stuck resonance, Hz.
 void check_test(const RigTest& test, double frequency, std::size_t harmonics) {
   check_sampling_rate(test, frequency, harmonics, "the stuck resonance");
   if (test.duration * frequency < kCycles) {
@@ -84,7 +84,7 @@ void check_test(const RigTest& test, double frequency, std::size_t harmonics) {
   }
 }
 
-/// The multiple of the resolution next to a frequency; of 0.1 Hz a decimal, not its 0.1-fold.
+/// The multiple of the resolution next to a frequency; of 0.1 Hz per decimal, not its 0.1-fold.
 double to_resolution(double frequency, double resolution) {
   if (!(resolution > 0.0)) return frequency;
   const double steps = std::max(std::round(frequency / resolution), 1.0);
@@ -93,7 +93,7 @@ double to_resolution(double frequency, double resolution) {
   return decimal ? steps / per_hertz : steps * resolution;
 }
 
-/// What all levels share.
+/// Data common to all levels.
 struct Setup {
   const VirtualMeasurementOptions& options;
   const RigInMotion& motion;
@@ -120,7 +120,7 @@ ShakenStructure shaken(const Setup& setup, const VirtualLevel& level) {
 }
 
 /// H by small voltages in all harmonics at once: the structure is next to linear at the lowest
-/// level. Nothing where a vibration is not found, or a harmonic does not answer.
+/// level. None where a vibration is not found, or a harmonic has no response.
 std::optional<VectorXcd> measured_transfer(const Setup& setup, ShakenStructure& structure) {
   const auto count = static_cast<Index>(setup.options.controlled_harmonics) - 1;
   const ShakenStructure::Outcome at_rest =
@@ -197,7 +197,7 @@ void warn_of_macro_slip(const Joint& joint, VirtualLevel& level) {
   if (amplitude < all_slip) return;
   level.warnings.push_back({std::string(kMacroSlip),
                             fmt::format("level {}: the joint moves {:.3g} m; from {:.3g} m on all "
-                                        "that can slip does, and D(A) tells no more of the "
+                                        "sliders slip, and D(A) determines no more of the "
                                         "density",
                                         level.number, amplitude, all_slip)});
 }
@@ -230,7 +230,7 @@ struct Climb {
   }
 
   std::vector<double> responses;
-  std::vector<std::size_t> level;  // that a response is on the way to
+  std::vector<std::size_t> level;  // that a response leads to
 };
 
 void set_resonance(const Setup& setup, const RigTest& test, SteadyVibration vibration,
@@ -305,7 +305,7 @@ void check_drives(const RigTest& test, std::size_t harmonics,
                       fmt::format("the drive of level {}", highest->number));
 }
 
-/// Levels in parallel, each told when it is done.
+/// Levels in parallel, with progress after each.
 void solve_levels(const Setup& setup, const Joint& joint, std::vector<VirtualLevel>& levels) {
   setup.options.execution.for_each(
       levels.size(), [&](std::size_t i) { solve_level(setup, joint, levels[i]); },

@@ -69,7 +69,7 @@ class Sampler {
 
 Recording virtual_record(const Rig& rig, const StickState& state, const DrivenVibration& driven,
                          std::uint64_t seed, std::uint64_t record) {
-  if (!rig.test) throw InputError("test", "none", "must be there for a virtual record");
+  if (!rig.test) throw InputError("test", "none", "must be given for a virtual record");
   check_rig(rig);
   const std::vector<Harmonics> harmonics =
       channel_harmonics(driven.vibration, driven.force, rig, state, signal_layout(rig, true));

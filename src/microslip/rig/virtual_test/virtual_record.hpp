@@ -10,13 +10,13 @@
 
 namespace microslip {
 
-/// What the sensors of a rig record of a steady vibration: the force, the accelerations and, where
+/// Record of a steady vibration by the sensors of a rig: the force, the accelerations and, where
 /// the rig has a vibrometer, u or u − Σψ_i q_i (for a beam u − r w′(L), the axial motion of its
-/// centre line [AR14 (13)]), sampled as the test says, each sample with the noise of the rig. The
-/// phase at which the record begins is drawn.
+/// centre line [AR14 (13)]), sampled as given in the test, each sample with the noise of the rig.
+/// The phase at which the record begins is drawn.
 ///
 /// Record r of a seed takes its phase from stream 2¹⁶ r of RandomStream and the noise of channel c,
-/// from 0, from stream 2¹⁶ r + 1 + c, so that it does not depend on what else is recorded.
+/// from 0, from stream 2¹⁶ r + 1 + c, so that it does not depend on other records.
 /// @param rig     with a test.
 /// @param state   of this rig.
 /// @param driven  of a structure with these modes.

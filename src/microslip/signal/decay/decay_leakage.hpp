@@ -4,7 +4,7 @@
 #include <span>
 
 /// @file
-/// What the taper of a window lets through of other oscillations into the decay of one. Internal to
+/// Leakage of other oscillations through the taper of a window into the decay of one. Internal to
 /// signal.
 ///
 /// An oscillation of r times the amplitude, d = ΔfT lines away, moves the decay that is fitted
@@ -17,7 +17,7 @@
 
 namespace microslip {
 
-/// Another oscillation beside the mode, while a window lasts.
+/// Another oscillation in addition to the mode, within a window.
 struct BesideMode {
   double distance = 0.0;  ///< Hz, above 0
   double ratio = 0.0;     ///< of amplitudes, over that of the mode

@@ -11,7 +11,7 @@
 namespace microslip {
 namespace {
 
-/// How often the signal stands still at a value for three samples.
+/// Number of times the signal stays at a value for three samples.
 int stays_at(std::span<const double> signal, double value) {
   constexpr std::size_t kShortest = 3;
   int stays = 0;

@@ -20,12 +20,12 @@ namespace microslip {
 /// beginning of the record is within `margin` of its largest; else when its amplitude, taken over
 /// `length` seconds, leaves the highest 5 %: after the rise of an impact, at the end of a plateau
 /// of driven vibration.
-/// @param margin  relative, ≥ 0: what other modes let the amplitude seem to rise.
+/// @param margin  relative, ≥ 0: apparent rise of the amplitude by other modes.
 [[nodiscard]] double start_of_decay(std::span<const double> signal, double rate, double frequency,
                                     double length, double margin = 0.0);
 
-/// Whether the signal reached the end of a range: three times or more it stood still for three
-/// samples at its largest or at its smallest value.
+/// Whether the signal reached the end of a range: three times or more it stayed for three samples
+/// at its largest or at its smallest value.
 [[nodiscard]] bool looks_clipped(std::span<const double> signal);
 
 }  // namespace microslip

@@ -14,13 +14,13 @@
 namespace microslip {
 namespace {
 
-/// Of D, by ring_down.hpp: harmonics and terms of the order ζ².
+/// Error of D, by ring_down.hpp: harmonics and terms of the order ζ².
 constexpr double kTheory = 0.0015;
 
 double square(double x) { return x * x; }
 
-/// Means over neighbouring windows: one difference alone says little of its standard deviation.
-/// What is below the share of the noise says nothing of the windows.
+/// Means over neighbouring windows: one difference alone is a poor estimate of its standard
+/// deviation. Differences below the share of the noise carry no information on the windows.
 DecaySpread mean_about(std::span<const DecayWindow> windows, std::span<const DecaySpread> spreads,
                        std::size_t centre) {
   DecaySpread mean;
@@ -42,7 +42,7 @@ DecaySpread mean_about(std::span<const DecayWindow> windows, std::span<const Dec
           std::max(leaked, mean.damping) / count, std::max(leaked, mean.loss) / count};
 }
 
-/// One quantity in the windows about another: where they are, over its length, and what they say.
+/// One quantity in the windows about another: their times over its length, and their values.
 struct Course {
   Eigen::VectorXd place;
   Eigen::VectorXd value;
@@ -82,8 +82,8 @@ double about_polynomial(const Course& course, int degree) {
   return course.excess(course.about(powers_of(course.place, degree)), degree + 1);
 }
 
-/// About the best parabola that does not turn among the windows: with the amplitude a joint's
-/// frequency goes one way, and one that goes back and forth is that of a beat.
+/// About the best parabola that does not turn among the windows: over the amplitude a joint's
+/// frequency is monotone, and one that goes back and forth is that of a beat.
 double about_monotone(const Course& course) {
   const Eigen::MatrixXd powers = powers_of(course.place, 2);
   const Eigen::Vector3d best = powers.colPivHouseholderQr().solve(course.value);
@@ -97,7 +97,7 @@ double about_monotone(const Course& course) {
     half.col(1) = (course.place.array() - vertex).square();
     least = std::min(least, course.about(half));
   }
-  // That it is bound is by noise too: of its two unknowns one counts.
+  // Noise, too, makes the constraint active: of its two unknowns one counts.
   return course.excess(least, 1);
 }
 
@@ -135,10 +135,10 @@ Course course_of(std::span<const DecayWindow> windows, std::span<const DecayPoin
   return course;
 }
 
-/// What windows scatter beyond their noise about a smooth course: ln ζ about a parabola, ln A, its
-/// integral, about a cubic, and ω about a parabola that keeps its direction. Two windows more than
-/// the unknowns are the fewest that tell, three for A, whose noise would else pass for scatter at
-/// the ends.
+/// Scatter of the windows beyond their noise about a smooth course: ln ζ about a parabola, ln A,
+/// its integral, about a cubic, and ω about a parabola that keeps its direction. At least two
+/// windows more than the unknowns are needed, three for A, whose noise would otherwise pass for
+/// scatter at the ends.
 DecaySpread excess_scatter(std::span<const DecayWindow> windows, std::span<const DecayPoint> points,
                            std::size_t centre) {
   DecaySpread spread;

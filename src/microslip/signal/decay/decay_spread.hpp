@@ -7,16 +7,16 @@
 #include "microslip/signal/decay/decay_walk.hpp"
 
 /// @file
-/// How far what a decay tells depends on the window. Internal to signal.
+/// Dependence of the results of a decay on the window. Internal to signal.
 ///
 /// Each window is fitted again with 0.8, 1.25 and 1.6 times its length about the same centre. Other
-/// modes come through the shorter one four times as strong and through the longer ones a quarter
-/// and a seventeenth, and what the model of the envelope cannot follow goes with a high power of
-/// the length: so the differences show both, about as large as the error itself or larger. Noise
-/// makes the lengths differ by some quarter of its variance, which is taken off. What is known to
-/// leak in by decay_leakage() is the least that counts for damping. A mode too near for any of the
-/// lengths makes the decay beat: what damping, frequency and amplitude scatter about smooth courses
-/// beyond their noise is added, and to the loss the 0.15 % that first harmonics are off by.
+/// modes leak through the shorter one four times as strongly and through the longer ones a quarter
+/// and a seventeenth, and errors of the model of the envelope grow with a high power of the length:
+/// so the differences show both, about as large as the error itself or larger. Noise makes the
+/// lengths differ by some quarter of its variance, which is subtracted. The leakage by
+/// decay_leakage() is a lower bound for damping. A mode too near for any of the lengths makes the
+/// decay beat: the scatter of damping, frequency and amplitude about smooth courses beyond their
+/// noise is added, and to the loss the error of 0.15 % of first harmonics.
 
 namespace microslip {
 
@@ -41,8 +41,8 @@ struct DecaySpread {
   double loss = 0.0;
 };
 
-/// Of a fitted window: means over the lengths, less what noise makes them differ by on average. One
-/// window's may therefore be below 0.
+/// The spread of a fitted window: means over the lengths, less the average difference due to noise.
+/// That of one window may therefore be below 0.
 [[nodiscard]] DecaySpread spread_of(const DecayTask& task, const DecayWindow& window,
                                     double noise_variance);
 

@@ -58,14 +58,14 @@ void check_signal(std::span<const double> signal) {
   constexpr std::size_t kFewest = 32;
   if (signal.size() < kFewest) {
     throw InputError("number of samples", fmt::format("{}", signal.size()),
-                     fmt::format("must be {} at least: too short for a decay", kFewest));
+                     fmt::format("must be at least {}: too short for a decay" kFewest));
   }
   const auto bad = std::ranges::find_if_not(signal, [](double y) { return std::isfinite(y); });
   if (bad == signal.end()) return;
   throw InputError(fmt::format("sample {}", bad - signal.begin() + 1), *bad, "must be finite");
 }
 
-/// The part of the signal between the options' times; its offset is kept beside it.
+/// The part of the signal between the options' times, with its offset.
 struct Cut {
   std::span<const double> signal;
   double offset = 0.0;  ///< s, on the axis
@@ -79,7 +79,7 @@ Cut cut(std::span<const double> signal, double rate, const RingDownOptions& opti
   if (!(from < to && from < duration && to > 0.0)) {
     throw InputError(
         "range", fmt::format("{:g} to {:g} s", origin + from, origin + to),
-        fmt::format("must rise and meet the record, {:g} to {:g} s", origin, origin + duration));
+        fmt::format("must rise and overlap the record, {:g} to {:g} s", origin, origin + duration));
   }
   const double last = static_cast<double>(signal.size());
   const double first = std::clamp(std::ceil(from * rate), 0.0, last);
@@ -90,8 +90,8 @@ Cut cut(std::span<const double> signal, double rate, const RingDownOptions& opti
 
 /// The signal less its mean over the last half under cos⁴: there the oscillation is small, and the
 /// taper lets next to nothing of it into the mean. An offset would pass for a large amplitude in
-/// the short windows that tell where the decay begins, and its rest for one where little is left of
-/// it.
+/// the short windows that locate the beginning of the decay, and its rest for one where little is
+/// left of it.
 std::vector<double> without_offset(std::span<const double> signal, double rate) {
   const double duration = static_cast<double>(signal.size() - 1) / rate;
   const TaperedWindow tail(signal, rate, 0.75 * duration, 0.5 * duration);
@@ -116,8 +116,8 @@ std::pair<double, double> search_range(double lowest, double rate, const RingDow
   return {from, to};
 }
 
-/// Of the peaks in a range the nearest to a frequency; those below a third of the highest there are
-/// too small for it to be meant. 0 where there is none.
+/// The peak in a range nearest to a frequency, of those of at least a third of the height of the
+/// highest there; 0 where there is none.
 double nearest_peak(std::span<const SpectralPeak> peaks, std::pair<double, double> range,
                     double frequency) {
   constexpr double kMeant = 1.0 / 3.0;
@@ -154,26 +154,25 @@ double choose_frequency(std::span<const double> signal, double rate, const RingD
   const double frequency = options.frequency ? nearest_peak(peaks, range, *options.frequency)
                                              : find_mode(signal, rate, range.first, range.second);
   if (!(frequency > 0.0)) {
-    throw InputError("range of frequencies",
-                     fmt::format("{:g} to {:g} Hz", range.first, range.second),
-                     "must hold a peak of the spectrum: no decay found", highest_peak_text(peaks));
+    throw InputError(
+        "range of frequencies", fmt::format("{:g} to {:g} Hz", range.first, range.second),
+        "must contain a peak of the spectrum: no decay found", highest_peak_text(peaks));
   }
   if (frequency < lowest) {
     throw InputError(
         "record", fmt::format("{:g} s", duration),
-        fmt::format("must hold {} periods of {:g} Hz: too short", kFewestPeriods, frequency));
+        fmt::format("must contain {} periods of {:g} Hz: too short", kFewestPeriods, frequency));
   }
   // A peak at the very edge of the band: the spectrum rises beyond it.
   if (options.band && std::min(frequency - options.band->first, options.band->second - frequency) <
                           1.0 / duration) {
     throw InputError("band", fmt::format("peak at {:g} Hz", frequency),
-                     "must hold the mode's peak inside, not at its edge");
+                     "must contain the mode's peak inside, not at its edge");
   }
   return frequency;
 }
 
-/// Refuses what is no longer the peak that was chosen: a higher one beside it draws the windows to
-/// itself.
+/// Refuses a track that has left the chosen peak: a higher one beside it attracts the windows.
 void check_followed(const DecayTrack& track, const RingDownOptions& options,
                     std::span<const SpectralPeak> peaks) {
   if (track.walk.windows.empty() || peaks.empty()) return;
@@ -192,9 +191,9 @@ void check_followed(const DecayTrack& track, const RingDownOptions& options,
   if (!drawn && !outside) return;
   throw InputError(
       fmt::format("oscillation at {:.6g} Hz", track.frequency), InputState{"not followed"},
-      fmt::format("must outlast what is beside it: the windows show {:.6g} Hz{}", followed,
+      fmt::format("must outlast other oscillations: the windows show {:.6g} Hz{}", followed,
                   drawn ? fmt::format(", the higher peak at {:.6g} Hz", there.frequency) : ""),
-      "Choose another sensor or another frequency, or give a band that leaves the other out.");
+      "Choose another sensor or another frequency, or give a band that excludes the other.");
 }
 
 /// How far the mode is from what is kept out: the edges of the band, or the next tall neighbours.
@@ -220,7 +219,7 @@ std::span<const double> from_blow(const DecayTrack& track, double rate) {
   return behind(track.motion, rate, track.blow ? *track.blow - track.offset : 0.0);
 }
 
-/// Where the decay begins, s from the first sample; says by what.
+/// The beginning of the decay, s from the first sample; sets how it was found.
 double begin_of_decay(const DecayTrack& track, double rate, double separation, DecayStart& by) {
   const double f = track.frequency;
   if (!track.blow) {
@@ -231,7 +230,7 @@ double begin_of_decay(const DecayTrack& track, double rate, double separation, D
   // A half-sine that excites the mode lasts less than 1.5 of its periods: longer, its spectrum has
   // its first zero below the mode.
   constexpr double kContact = 1.5;
-  constexpr double kMargin = 0.1;  // what the beat of other modes may add
+  constexpr double kMargin = 0.1;  // possible rise by the beat of other modes
   const double free = *track.blow - track.offset + kContact / f;
   const double fall = start_of_decay(behind(track.motion, rate, free), rate, f,
                                      std::max(8.0 / f, 2.0 / separation), kMargin);
@@ -241,7 +240,7 @@ double begin_of_decay(const DecayTrack& track, double rate, double separation, D
 
 [[noreturn]] void throw_too_short(double duration, double least, double frequency) {
   throw InputError("free decay", fmt::format("{:g} s", duration),
-                   fmt::format("must last {:g} s at least at {:g} Hz: too short", least, frequency),
+                   fmt::format("must last at least {:g} s at {:g} Hz: too short", least, frequency),
                    "Give the band, or the time where the decay begins, if they are not what was "
                    "found.");
 }
@@ -264,7 +263,7 @@ void set_task(DecayTrack& track, double rate, int derivatives, const RingDownOpt
   task.lowest = f - reach;
   task.highest = f + reach;
   task.others = neighbours.peaks;
-  // Over the stretch that was looked at the mode falls by e^1.8.
+  // Over the examined stretch the mode falls by e^1.8.
   task.first_length =
       std::min(std::max(neighbours.length / 8.0, 4.0 / separation), (task.to - task.from) / 4.0);
   task.least_fall = options.least_fall;
@@ -309,8 +308,7 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
   track.frequency = choose_frequency(from_blow(track, rate), rate, options, peaks);
   set_task(track, rate, derivatives, options);
   if (looks_clipped(behind(track.motion, rate, track.task.from))) {
-    throw InputError("signal", "clipped",
-                     "must not stand still at its largest value again and again",
+    throw InputError("signal", "clipped", "must not stay at its largest value repeatedly: clipped",
                      "Begin later, where the signal is within the range of the instrument.");
   }
   track.walk = walk_along(track.task);
@@ -332,7 +330,7 @@ void throw_no_decay(const DecayTrack& track, std::string_view remedy) {
   if (track.walk.end == WalkEnd::kNoise) {
     throw InputError(
         what, "no decay found",
-        fmt::format("must decay, with a damping ratio known to {:g} % at least: the "
+        fmt::format("must decay, with a damping ratio known to {:g} % or better: the "
                     "signal-to-noise ratio is too low, or the amplitude constant",
                     100.0 * track.task.largest_std),
         remedy.empty() ? "Give the mode's frequency and the time range of the decay." : remedy);

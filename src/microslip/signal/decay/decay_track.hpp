@@ -30,14 +30,15 @@ struct DecayTrack {
   std::vector<double> motion;  ///< the signal between the options' times, less its offset
   DecayTask task;              ///< its `others` are the mode's neighbours
   DecayWalk walk;
-  std::vector<DecayPoint> points;  ///< one a window; standard deviations with those of the choices
+  std::vector<DecayPoint>
+      points;  ///< one per window; standard deviations with those of the choices
   std::optional<SecondOscillation> second = {};  ///< what beats with the mode
   double frequency = 0.0;                        ///< Hz, of the highest line
   double offset = 0.0;  ///< s on the axis of the recording, of the first sample of `motion`
   DecayStart start_by = DecayStart::kGiven;
   std::optional<double> blow = {};  ///< s on the axis
 
-  /// Hz: what the windows let through.
+  /// The pass band of the windows, Hz.
   [[nodiscard]] std::pair<double, double> band() const;
 };
 
@@ -48,7 +49,7 @@ struct DecayTrack {
                                       const Dimension& measured, const RingDownOptions& options,
                                       double origin);
 
-/// What is said of a track without windows. @param remedy  empty: the usual one.
+/// Throws the error of a track without windows. @param remedy  empty: the usual one.
 [[noreturn]] void throw_no_decay(const DecayTrack& track, std::string_view remedy);
 
 }  // namespace microslip

@@ -24,7 +24,7 @@ class LengthRule {
     return std::max(task_.shortest, (task_.to - task_.from) / 2.0);
   }
 
-  /// What the decay of a window asks for, `ahead` seconds behind its centre.
+  /// The length that the decay of a window requires, `ahead` seconds behind its centre.
   [[nodiscard]] double operator()(const DecayWindow& window, double ahead = 0.0) const {
     constexpr double kGrowth = 2.0;
     const double decay = window.decay;
@@ -57,9 +57,9 @@ class LengthRule {
 std::optional<DecayWindow> adapted(const DecayTask& task, const LengthRule& rule, double& centre,
                                    double length) {
   constexpr int kMostTries = 6;
-  constexpr double kEnough = 0.8;  // of the length that the rule wants
+  constexpr double kEnough = 0.8;  // of the length required by the rule
   constexpr double kTooMuch = 1.4;
-  constexpr double kGrowth = 1.6;  // where other modes hide the one that is sought
+  constexpr double kGrowth = 1.6;  // where other modes hide the one sought
   std::optional<DecayWindow> best;
   for (int i = 0; i < kMostTries; ++i) {
     const double at = std::max(centre, task.from + length / 2.0);

@@ -11,8 +11,8 @@
 
 namespace microslip {
 
-/// What the walk goes by. A window is as long as the noise asks for, the leakage of other modes and
-/// the least fall: over less of it whatever is small looks like damping.
+/// The task of the walk. A window is as long as the noise, the leakage of other modes and the least
+/// fall require: over a smaller fall any small disturbance looks like damping.
 struct DecayTask {
   std::span<const double> signal;
   double rate = 0.0;    ///< Hz

@@ -127,8 +127,7 @@ struct Move {
   }
 };
 
-/// The last of the way, which the cost cannot see: it is flat over √ε where the gradient still
-/// tells.
+/// The last steps, which the cost cannot resolve: it is flat over √ε where the gradient is not.
 void polish(Samples& samples, const NormalEquations& at, Parameters& p) {
   constexpr double kFlat = 1e-6;  // as Move::size
   constexpr double kSame = 1e-12;
@@ -137,7 +136,7 @@ void polish(Samples& samples, const NormalEquations& at, Parameters& p) {
   if (normal_equations(samples, move.to).cost <= at.cost * (1.0 + kSame)) p = move.to;
 }
 
-/// Levenberg–Marquardt. @return  whether it came to rest.
+/// Levenberg–Marquardt. @return  whether it converged.
 bool minimise(Samples& samples, Parameters& p) {
   constexpr int kMostSteps = 60;
   constexpr double kRest = 1e-8;  // as Move::size: far below any noise
@@ -195,7 +194,7 @@ Parameters start(const TaperedWindow& window, double scale, double omega) {
   const std::complex<double> second = window.half(1).transform(omega);
   const std::complex<double> whole = window.transform(omega);
   // The halves' centres lie h apart; each transform has its phase at its own centre, so the phase
-  // that ω itself takes up between them is taken out.
+  // that ω itself adds between them is subtracted.
   const double turn = std::arg(second * std::conj(first) * std::polar(1.0, -omega * h));
   const double ratio = std::abs(first) / std::max(std::abs(second), 1e-300);
   Parameters p;
@@ -206,8 +205,8 @@ Parameters start(const TaperedWindow& window, double scale, double omega) {
   return p;
 }
 
-/// Mean square of the noise from what is left beside the mode, where the fit does not reach and no
-/// other mode is known. The lower quartile keeps unknown ones among the lines from counting.
+/// Mean square of the noise from the residual beside the mode, outside of the fit and of known
+/// modes. The lower quartile keeps unknown ones among the lines from counting.
 double noise_beside(const TaperedWindow& residual, double rate, double omega,
                     std::span<const SpectralPeak> others) {
   constexpr double kNear = 3.5;  // lines: where the taper lets another mode through
@@ -247,7 +246,7 @@ std::vector<BesideMode> modes_beside(const TaperedWindow& residual, const DecayW
   return beside;
 }
 
-/// What the fit leaves.
+/// Residual of the fit.
 std::vector<double> residual_of(const TaperedWindow& window, const Parameters& p, double scale) {
   std::vector<double> residual(window.size());
   Parameters unused;

@@ -21,9 +21,9 @@
 /// in least squares weighted by cos⁴(πτ/T). The envelope of a decay that loses D ∝ A^{p+2} per
 /// cycle is exactly this curve, p = 0 the exponential of a viscous mode; so a window may be long
 /// against 1/δ and the fitted δ still be that of its centre. Frequency is known so much better than
-/// decay that two free terms of phase cost nothing. The taper is the filter: what is 6/T away in
-/// frequency (other modes, harmonics, an offset) moves δ by less than half a per cent, and falls by
-/// 30 dB an octave, and nothing outside of the window has a part in the fit.
+/// decay that two free terms of phase cost nothing. The taper is the filter: signals 6/T away in
+/// frequency (other modes, harmonics, an offset) move δ by less than half a per cent, which falls
+/// by 30 dB per octave, and signals outside of the window have no effect.
 
 namespace microslip {
 
@@ -40,7 +40,7 @@ struct DecayWindow {
   double exponent = 0.0;   ///< p, 1
   double omega = 0.0;      ///< ω, rad/s
   double chirp = 0.0;      ///< α, rad/s²
-  /// Of (u, δ, ω, α), over the variance of a sample's noise.
+  /// Covariance of (u, δ, ω, α), over the variance of a sample's noise.
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   /// Variance of a sample's noise, if all were as dense as beside the mode.
   double noise_variance = 0.0;
@@ -49,7 +49,7 @@ struct DecayWindow {
   std::vector<BesideMode> beside;
 };
 
-/// What the other modes move δ by, over δ.
+/// Shift of δ by the other modes, over δ.
 [[nodiscard]] double relative_leakage(const DecayWindow& window);
 
 /// @param signal    evenly sampled.
@@ -58,13 +58,13 @@ struct DecayWindow {
 /// @param length    T, s; 3 periods at least.
 /// @param from, to  Hz: where the mode's frequency is sought.
 /// @param others    of other modes, where no noise is measured.
-/// @return  nothing where no such oscillation is found.
+/// @return  the fitted window; none where no such oscillation is found.
 [[nodiscard]] std::optional<DecayWindow> fit_decay_window(std::span<const double> signal,
                                                           double rate, double centre, double length,
                                                           double from, double to,
                                                           std::span<const SpectralPeak> others);
 
-/// The same without covariance, noise and other modes: the fitted values alone.
+/// As fit_decay_window(), without covariance, noise and other modes: the fitted values alone.
 [[nodiscard]] std::optional<DecayWindow> fit_decay_values(std::span<const double> signal,
                                                           double rate, double centre, double length,
                                                           double from, double to);

@@ -91,7 +91,7 @@ class PeakFinder {
   }
 
   [[nodiscard]] std::vector<SpectralPeak> all() const {
-    // A weak mode stands on the skirts of strong ones: it is one where it has a half-power width.
+    // A weak mode lies on the skirts of strong ones: it counts where it has a half-power width.
     constexpr double kHalfPower = std::numbers::sqrt2 / 2.0;
     const double highest = *std::ranges::max_element(magnitude_);
     std::vector<SpectralPeak> peaks;
@@ -124,7 +124,7 @@ class PeakFinder {
         if (value > height) return false;
         if (value < share * height) return true;
       }
-      return direction > 0;  // what lies at 0 Hz is an offset or a drift
+      return direction > 0;  // a peak at 0 Hz is an offset or a drift
     };
     return falls(-1) && falls(+1);
   }
@@ -163,7 +163,7 @@ class PeakFinder {
   double resolution_;
 };
 
-/// Those that disturb the mode most in a window of the shortest kind.
+/// Keeps the peaks that disturb the mode most in the shortest window.
 void keep_the_worst(std::vector<SpectralPeak>& peaks, double mode) {
   constexpr std::size_t kMost = 12;
   if (peaks.size() <= kMost) return;

@@ -27,18 +27,17 @@ struct SpectralPeak {
 /// @param rate    Hz.
 [[nodiscard]] std::vector<SpectralPeak> parted_peaks(std::span<const double> signal, double rate);
 
-/// What else oscillates while a mode decays.
+/// Other oscillations during the decay of a mode.
 struct ModeNeighbours {
   std::vector<SpectralPeak> peaks;  ///< by frequency
-  double length = 0.0;              ///< s, of the stretch that was looked at
+  double length = 0.0;              ///< s, of the examined stretch
 };
 
-/// The peaks of the spectrum of the first stretch of a free decay, tapered by cos⁴ so that what
-/// begins abruptly covers nothing, and as long as the mode keeps 40 % of its amplitude: 24 to 400
-/// of its periods. Peaks count that a valley of a third of their height parts from higher ones,
-/// that are four lines away from the mode, 0.2 % of it, five times the median about them, and above
-/// what the taper lets through of a higher one.
-/// Of many those that come through the taper the most.
+/// The peaks of the spectrum of the first stretch of a free decay, tapered by cos⁴ so that abrupt
+/// starts mask no other peaks, and as long as the mode keeps 40 % of its amplitude: 24 to 400 of
+/// its periods. Peaks count that a valley of a third of their height parts from higher ones, that
+/// are four lines away from the mode, 0.2 % of it, five times the median about them, and above what
+/// the taper lets through of a higher one. Of many those that come through the taper the most.
 /// @param signal     evenly sampled; the decay alone.
 /// @param rate       Hz.
 /// @param frequency  of the mode, Hz.

@@ -80,7 +80,7 @@ Eigen::VectorXcd OscillationFit::mode(const Eigen::VectorXd& p) const {
 }
 
 Eigen::VectorXcd OscillationFit::second(double omega, double decay) const {
-  constexpr double kLargest = 1e6;  // what grows beyond it is no oscillation beside the mode
+  constexpr double kLargest = 1e6;  // a larger growth is no oscillation beside the mode
   Eigen::VectorXcd history(band_.value.size());
   const Complex step = std::exp(Complex(-decay, omega) * band_.hop);
   Complex value = 1.0;
@@ -105,7 +105,7 @@ Eigen::VectorXd OscillationFit::residual_of(const Eigen::VectorXcd& mode,
   first_ = a.dot(y) / own;
   Eigen::VectorXcd rest = y - first_ * a;
   if (beside.size() > 0) {
-    // Gram and Schmidt.
+    // Gram–Schmidt.
     Eigen::VectorXcd b = beside.cwiseProduct(band_.root);
     const Complex along = a.dot(b) / own;
     const double whole = b.squaredNorm();

@@ -28,8 +28,8 @@ struct Baseband {
   [[nodiscard]] double independent() const;
 };
 
-/// What is fitted: δ and ω − ω₀ of the mode as polynomials of so many coefficients over the share
-/// of the fall of ln A, 0 to 1, and beside it a second oscillation, damped or steady.
+/// The fitted model: δ and ω − ω₀ of the mode as polynomials of given numbers of coefficients over
+/// the share of the fall of ln A, 0 to 1, and a second oscillation, damped or steady.
 struct OscillationModel {
   int decays = 1;
   int omegas = 1;
@@ -59,10 +59,10 @@ class OscillationFit {
   /// Weighted, real parts and then imaginary ones; sets the amplitudes.
   Eigen::VectorXd residual(const Eigen::VectorXd& p);
 
-  /// The same for given time histories of the two. @param beside  empty for the mode alone.
+  /// The residual for given time histories of the two. @param beside  empty for the mode alone.
   Eigen::VectorXd residual_of(const Eigen::VectorXcd& mode, const Eigen::VectorXcd& beside);
 
-  /// Levenberg–Marquardt. @return  whether it came to rest.
+  /// Levenberg–Marquardt. @return  whether it converged.
   bool minimise(Eigen::VectorXd& p);
 
   /// χ² of the last residual by the degrees of freedom of the values.

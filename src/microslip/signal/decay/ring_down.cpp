@@ -26,7 +26,7 @@ bool ended_early(const DecayTrack& track) {
   return track.walk.end == WalkEnd::kRise || track.walk.end == WalkEnd::kLost;
 }
 
-/// What is followed without the band that was given, where that is more.
+/// The range that is followed without the given band, where that is longer.
 struct BetterBand {
   std::pair<double, double> band;  ///< Hz
   double end = 0.0;                ///< s on the axis
@@ -55,12 +55,12 @@ std::optional<BetterBand> better_band(std::span<const double> signal, double rat
 
 std::string better_text(const BetterBand& better) {
   return fmt::format(
-      "With the band {:.6g} to {:.6g} Hz, which is taken where none is given, the "
+      "With the band {:.6g} to {:.6g} Hz, the default where none is given, the "
       "mode is followed to {:.4g} s.",
       better.band.first, better.band.second, better.end);
 }
 
-/// Follows the decay; where a band that was given loses it, says which would not.
+/// Follows the decay; where the given band loses it, names one that does not.
 DecayTrack follow(std::span<const double> signal, double rate, const Dimension& measured,
                   const RingDownOptions& options, double origin, std::vector<Warning>& warnings) {
   DecayTrack track = follow_decay(signal, rate, measured, options, origin);
@@ -142,7 +142,7 @@ std::optional<FrequencyOffset> frequency_offset(const DecayTrack& track, const D
   return *middle;
 }
 
-/// What makes a sensor one of another mode than the first; empty where it is none.
+/// The reason why a sensor shows another mode than the first; empty where it does not.
 std::string other_mode_text(const DecayTrack& track, const DecayTrack& first) {
   // Sensors of one mode have one frequency. The windows of two walks lie up to half a window apart,
   // over which a softening mode may move by some tenths of a per cent.
@@ -155,8 +155,8 @@ std::string other_mode_text(const DecayTrack& track, const DecayTrack& first) {
   return fmt::format("{:+.2g} % off the frequency of the first: another mode", 100.0 * offset->off);
 }
 
-/// Those of the sensors that can be followed; the first must. Where it found its peak the others
-/// look for theirs.
+/// The tracks of the sensors that can be followed; the first must. The others are sought near the
+/// peak of the first.
 std::vector<SensorTrack> follow_all(const Recording& recording,
                                     std::span<const std::string> channels,
                                     const RingDownOptions& options,
@@ -188,7 +188,7 @@ std::vector<SensorTrack> follow_all(const Recording& recording,
 
 void check_channels(std::span<const std::string> channels) {
   if (channels.empty()) {
-    throw InputError("channels", InputState{"missing"}, "must name one sensor at least");
+    throw InputError("channels", InputState{"missing"}, "must name at least one sensor");
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto before = channels.first(i);

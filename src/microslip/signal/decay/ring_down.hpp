@@ -14,11 +14,11 @@
 /// Amplitude, frequency and damping of one mode from its free decay, as functions of time.
 ///
 /// A mode of mass m has a restoring force of Masing's kind: after a reversal at (x_r, f_r) it is
-/// f_r − 2F((x_r − x)/2), F the virgin curve of all that restores, joint and linear springs. On the
-/// way from a peak A + e to the next, −(A − e), it runs through a branch of the steady loop of
+/// f_r − 2F((x_r − x)/2), F the virgin curve of all restoring elements, joint and linear springs.
+/// From a peak A + e to the next, −(A − e), it runs through a branch of the steady loop of
 /// amplitude A that is shifted by e along x and, the reversal lying on F up to e², by F′(A)e along
 /// f. At both peaks nothing moves, so the work in between vanishes: 2A·F′(A)e = D(A)/2. With 4e,
-/// what a cycle takes off A,
+/// the decrease of A over a cycle,
 ///
 ///     D = A F′(A)·4e = A·[what a cycle takes off F(A)].
 ///
@@ -39,7 +39,7 @@ namespace microslip {
 /// Follows the decay of a signal.
 /// @param signal    evenly sampled, in SI. Its first sample is at time 0.
 /// @param rate      of the samples, Hz.
-/// @param measured  what it is: kLength, kVelocity or kAcceleration.
+/// @param measured  the quantity: kLength, kVelocity or kAcceleration.
 /// @param options   which mode, when, and how it is followed.
 /// @throws InputError  for options out of range; where the signal is not finite, too short,
 ///                     clipped, or holds no decay above the noise, where no peak is near the
@@ -47,20 +47,20 @@ namespace microslip {
 [[nodiscard]] RingDown ring_down(std::span<const double> signal, double rate,
                                  const Dimension& measured, const RingDownOptions& options = {});
 
-/// The same of a channel; its unit tells what it is.
+/// Follows the decay of a channel; its unit determines the quantity.
 /// @throws InputError  also where the channel is missing, not evenly sampled over time or of no
 ///                     motion.
 [[nodiscard]] RingDown ring_down(const Recording& recording, std::string_view channel,
                                  const RingDownOptions& options = {});
 
-/// The same of several sensors of one decay. The first says which mode: the others look for a peak
-/// near its, and one whose frequency is off by more than 1 % is left out. The one that tells ζ best
-/// leads: in its windows all are fitted. ζ, ω and A are weighted means; amplitude and modal mass
-/// are those of the first sensor, to which the mean ratios of amplitudes bring the others. A weight
-/// is 1/(σ² + s²/r²): σ the sensor's own, r its amplitude over the largest, and s what explains
-/// that the sensors differ by more than their σ, over the windows within half a window [R.
-/// DerSimonian, N. Laird, Control. Clin. Trials 7 (1986) 177, there with r = 1]: what is foreign to
-/// the mode counts more where its amplitude is small.
+/// Follows one decay by several sensors. The first determines the mode: in the others a peak near
+/// its frequency is sought, and a sensor whose frequency is off by more than 1 % is left out. The
+/// one that determines ζ best leads: in its windows all are fitted. ζ, ω and A are weighted means;
+/// amplitude and modal mass are those of the first sensor, to which the mean ratios of amplitudes
+/// bring the others. A weight is 1/(σ² + s²/r²): σ the sensor's own, r its amplitude over the
+/// largest, and s the scatter between sensors beyond their σ, over the windows within half a window
+/// [R. DerSimonian, N. Laird, Control. Clin. Trials 7 (1986) 177, there with r = 1]: disturbances
+/// count more where the amplitude of the mode is small.
 /// @param recording  of the decay.
 /// @param channels   one at least, no two the same. One that cannot be followed, or follows another
 ///                   mode than the first, is left out with a warning.

@@ -99,7 +99,7 @@ void add_secant(const RingDown& decay, std::size_t i, double omega0,
                                         decay.frequency_std[i]);
 }
 
-/// What needs no modal mass.
+/// Adds the quantities that need no modal mass.
 void add_motion(const RingDown& decay, const ChosenWindow& window, double joint_ratio,
                 RingDownLevels& levels) {
   const std::size_t i = window.index;
@@ -113,7 +113,7 @@ void add_motion(const RingDown& decay, const ChosenWindow& window, double joint_
   levels.flags.push_back(window.flags);
 }
 
-/// One that is not positive tells that k, ω₀, m or the ratio do not belong together.
+/// One that is not positive shows that k, ω₀, m and the ratio are inconsistent.
 void drop_impossible_secants(RingDownLevels& levels) {
   const bool good = std::ranges::all_of(levels.secant_stiffness, [](double k) { return k > 0.0; });
   if (good) return;
@@ -121,7 +121,7 @@ void drop_impossible_secants(RingDownLevels& levels) {
   levels.secant_stiffness_std.clear();
   levels.warnings.push_back(
       {"secant_not_positive",
-       "The change of frequency asks for more than the joint's stiffness: no secant stiffness is "
+       "The change of frequency exceeds the joint's stiffness: no secant stiffness is "
        "given. Check joint_stiffness, stick_frequency, joint_ratio and modal_mass."});
 }
 
@@ -144,7 +144,7 @@ RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& opt
     }
     add_motion(decay, window, options.joint_ratio, levels);
     levels.dissipation.push_back(d);
-    // The loss taken off has little scatter of its own: that of A² against that of ζ.
+    // The subtracted loss has little scatter of its own: that of A² against that of ζ.
     levels.dissipation_std.push_back(m * decay.loss_std[i]);
     add_secant(decay, i, omega0, options, levels);
   }
@@ -154,8 +154,8 @@ RingDownLevels levels_of(const RingDown& decay, const RingDownLevelsOptions& opt
   if (left_out > 0) {
     levels.warnings.push_back(
         {"linear_loss_exceeds_all",
-         fmt::format("{} levels are left out: the linear loss of loss_factor {:g} exceeds all of "
-                     "theirs. Check loss_factor.",
+         fmt::format("{} levels are left out: the linear loss of loss_factor {:g} exceeds their "
+                     "whole loss. Check loss_factor.",
                      left_out, options.loss_factor)});
   }
   return levels;

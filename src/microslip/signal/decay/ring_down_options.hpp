@@ -11,7 +11,7 @@ struct RingDownOptions {
   /// Near which the mode is sought, within 10 %, Hz: the nearest peak of the spectrum there that
   /// has a third of the height of the highest there. Without it: the highest peak of the spectrum.
   std::optional<double> frequency = {};
-  /// Hz, low and high: the mode is sought inside and what is outside is kept out. Without it the
+  /// Hz, low and high: the mode is sought inside, and the rest is filtered out. Without it the
   /// windows are so long that the other peaks of the spectrum move ζ by no more than `wanted_std`.
   std::optional<std::pair<double, double>> band = {};
   /// Where the free decay begins and ends, s on the axis of the recording. Without them: see
@@ -21,7 +21,7 @@ struct RingDownOptions {
   /// The windows are as short as this many periods where noise and other modes allow; from 3.
   double least_periods = 6.0;
   /// ln of the ratio of amplitudes over the shortest window, where the record lasts eight of them;
-  /// above 0, up to largest_fall. Over a smaller fall whatever is small looks like damping.
+  /// above 0, up to largest_fall. Over a smaller fall any small disturbance looks like damping.
   double least_fall = 0.4;
   /// ln of the ratio of amplitudes over the longest window; above 0, up to 6. A longer window gives
   /// less scatter and more bias where the exponent of D(A) changes fast.
@@ -29,7 +29,7 @@ struct RingDownOptions {
   /// Windows are as long as this standard deviation of ζ by noise, over ζ, needs, and as this
   /// change of ζ by other modes; above 0.
   double wanted_std = 0.005;
-  /// The decay ends where the longest window does not keep to this one; above 0.
+  /// The decay ends where the longest window exceeds this; above 0.
   double largest_std = 0.1;
 };
 

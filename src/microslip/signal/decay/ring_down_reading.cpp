@@ -34,8 +34,8 @@ std::string_view second_code(const DecayTrack& track) {
   return track.second->steady ? "steady_tone" : "beats";
 }
 
-/// By what a second oscillation moves ζ of a window, relative; 0 where this is no more than what
-/// may leak in, or than noise.
+/// Relative shift of ζ of a window by a second oscillation; 0 where it does not exceed leakage or
+/// noise.
 double shift_that_counts(const DecayTrack& track, std::size_t i) {
   constexpr double kSure = 2.0;
   if (!track.second) return 0.0;
@@ -72,7 +72,7 @@ std::string names_of(const std::vector<SpectralPeak>& peaks) {
   return names;
 }
 
-/// Those near enough to make the windows longer.
+/// Warns of the peaks that are near enough to lengthen the windows.
 void warn_of_neighbours(const DecayTrack& track, bool banded, RingDown& result) {
   constexpr double kTall = 0.03;
   const double reach = track.band().second - track.frequency;
@@ -85,7 +85,7 @@ void warn_of_neighbours(const DecayTrack& track, bool banded, RingDown& result) 
     result.warnings.push_back(
         {"other_peaks",
          fmt::format("The spectrum has other peaks near {:.5g} Hz: {}. The windows are {:.3g} s or "
-                     "longer to keep them out.",
+                     "longer to separate them.",
                      track.frequency, names_of(near), std::ranges::min(result.window))});
   }
   std::size_t leaking = 0;
@@ -101,8 +101,8 @@ void warn_of_neighbours(const DecayTrack& track, bool banded, RingDown& result) 
   result.warnings.push_back(
       {"neighbour_leaks",
        fmt::format("Other modes, the nearest at {:.5g} Hz, move the damping of {:.5g} Hz by up to "
-                   "{:.2g} % in {} of {} windows: too near to be kept out while the mode decays. "
-                   "The standard deviations hold it; another sensor may see less of them.",
+                   "{:.2g} % in {} of {} windows: too near to be separated while the mode decays. "
+                   "The standard deviations include it; another sensor may show less of them.",
                    nearest.frequency, track.frequency, 100.0 * worst, leaking,
                    track.walk.windows.size())});
 }
@@ -122,7 +122,8 @@ std::string second_text(const DecayTrack& track, std::size_t moved, double worst
                 frequency, second.ratio, second.decay / second.omega);
   return fmt::format(
       "{} moves the damping of {:.6g} Hz by up to {:.2g} % in {} of {} windows: no window is "
-      "long enough to separate them. The standard deviations hold it; alone the mode would have a "
+      "long enough to separate them. The standard deviations include it; alone the mode would have "
+      "a "
       "damping ratio of {:.4g}.",
       what, track.frequency, 100.0 * worst, moved, track.walk.windows.size(),
       decay_point(second.mode_at(track.walk.windows.front().centre), track.task.derivatives, 0.0)
@@ -135,7 +136,7 @@ void warn_of_fall(const DecayTrack& track, RingDown& result) {
   result.warnings.push_back(
       {"decay_within_window",
        fmt::format("The amplitude falls by a factor of {:.2g} within a window of {:.3g} s, the "
-                   "shortest that keeps out what is near {:.5g} Hz: damping may be biased where "
+                   "shortest that excludes what is near {:.5g} Hz: damping may be biased where "
                    "it changes fast.",
                    std::exp(first.length * first.decay), first.length, track.frequency)});
 }
@@ -169,13 +170,13 @@ std::string reason_of(WalkEnd end) {
     case WalkEnd::kRecord:
       return "the record ends";
     case WalkEnd::kNoise:
-      return "the rest is lost in noise";
+      return "the rest is below noise";
     case WalkEnd::kRise:
       return "the amplitude rises";
     case WalkEnd::kLost:
       break;
   }
-  return "the mode is lost";
+  return "the mode cannot be followed";
 }
 
 Summary summary_of(const DecayTrack& track) {

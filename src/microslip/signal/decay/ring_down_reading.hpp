@@ -9,18 +9,18 @@
 #include "microslip/signal/decay/ring_down_result.hpp"
 
 /// @file
-/// From what was followed to what is told. Internal to signal.
+/// From a track to the result with its warnings. Internal to signal.
 
 namespace microslip {
 
 /// The windows of a track with other points: those of several sensors together.
-/// @param points  one a window.
-/// @param flags   one a window, codes between blanks; those of the windows themselves are added.
+/// @param points  one per window.
+/// @param flags   one per window, codes between blanks; those of the windows themselves are added.
 [[nodiscard]] RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& points,
                                     std::vector<std::string> flags, const Dimension& measured,
                                     bool banded);
 
-/// Of a second oscillation near the mode; nothing where there is none that counts.
+/// The warning of a second oscillation near the mode; none where there is none that counts.
 [[nodiscard]] std::optional<Warning> warning_of_second(const DecayTrack& track);
 
 /// Adds a code to the flags of a window.

@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// What tells where a decay begins.
+/// How the beginning of a decay was found.
 enum class DecayStart {
   kGiven,   ///< the caller
   kRecord,  ///< the mode is largest where the record begins
@@ -20,7 +20,7 @@ enum class DecayStart {
   kFall,    ///< the mode's amplitude, where it leaves its highest 5 %: a plateau, or a later rise
 };
 
-/// One of the sensors that saw a decay.
+/// One of the sensors that recorded a decay.
 struct RingDownSensor {
   std::string name;        ///< of the channel
   double ratio = 1.0;      ///< its amplitude over that of the first sensor, 1, above 0
@@ -29,14 +29,14 @@ struct RingDownSensor {
   double ratio_range = 0.0;
 };
 
-/// The mode over time: one entry a window, each of the last fitted value at its centre. Windows
-/// overlap; two that are half a window apart or more are all but independent (correlation −0.2).
-/// Standard deviations hold the noise and what the choice of the window is worth: each is fitted
+/// The mode over time: one entry per window, each of the last fitted value at its centre. Windows
+/// overlap; two that are half a window apart or more are nearly independent (correlation −0.2).
+/// Standard deviations include the noise and the effect of the choice of the window: each is fitted
 /// again with 0.8, 1.25 and 1.6 times the length, and the mean square of the differences is added,
 /// less the share of the noise and at least what other modes are known to leak in; so is what the
 /// windows scatter about smooth courses of ζ, ω and A beyond noise, and what a second oscillation
-/// near the mode moves them by, see second_oscillation.hpp. Of several sensors the noise
-/// alone falls with their number.
+/// near the mode moves them by, see second_oscillation.hpp. Of several sensors the noise alone
+/// falls with their number.
 struct RingDown {
   std::vector<double> time;               ///< s, on the axis of the recording
   std::vector<double> amplitude;          ///< A, of the displacement at the sensor, m
@@ -62,10 +62,11 @@ struct RingDown {
   double start = 0.0;                        ///< s: where free decay begins, on the axis
   DecayStart start_by = DecayStart::kGiven;  ///< how it was found
   std::optional<double> blow = {};           ///< s: the onset of the blow that was found
-  /// Hz: as given, or what the shortest window lets through.
+  /// Band, Hz: as given, or the pass band of the shortest window.
   std::pair<double, double> band = {0.0, 0.0};
   std::vector<RingDownSensor> sensors;  ///< those that were used, in their order
-  /// Of a sample, in the unit of the signal, by the density beside the mode.
+  /// Standard deviation of the noise of a sample, in the unit of the signal, from the density
+  /// beside the mode.
   double noise_std = 0.0;
   Dimension measured = kLength;  ///< what the signal is: kLength, kVelocity or kAcceleration
   /// Converged where the decay was followed until the record ended or the rest was noise. The

@@ -17,18 +17,17 @@ namespace microslip {
 namespace {
 
 constexpr double kSure = 2.0;  // standard deviations
-// Of a ratio of amplitudes: D goes with A², so a shape that moves by 1 % makes 2 % of D, as much as
-// counts as a leaking neighbour.
+// Allowed change of a ratio of amplitudes: D goes with A², so a shape that moves by 1 % makes 2 %
+// of D, as much as counts as a leaking neighbour.
 constexpr double kFixedShape = 0.01;
 
-/// What a sensor says in a window: with all that its standard deviations hold, and with noise
-/// alone.
+/// The values of a sensor in a window: with its full standard deviations, and with noise alone.
 struct SensorPoint {
   DecayPoint all;
   DecayPoint noise;
 };
 
-/// Of each window; nothing where the sensor does not see the decay.
+/// The point of each window; none where the sensor does not show the decay.
 using SensorPoints = std::vector<std::optional<SensorPoint>>;
 
 /// Whether windows that are off by more than kSure deviations are more than noise makes of that
@@ -53,8 +52,9 @@ double length_of(const DecayTrack& track) {
 
 /// The one that knows the loss best, of those that follow it long.
 std::size_t leader_of(const std::vector<SensorTrack>& tracks) {
-  // Of the longest: amplitudes fall by e³ or more over a decay, so 0.7 of it loses the last factor
-  // e at the least; a sensor that ends at the half would take half of the levels with it.
+  // Share of the longest track: amplitudes fall by e³ or more over a decay, so 0.7 of it loses the
+  // last factor e at the least; a sensor that ends at the half would take half of the levels with
+  // it.
   constexpr double kLong = 0.7;
   double longest = 0.0;
   for (const SensorTrack& sensor : tracks) longest = std::max(longest, length_of(sensor.track));
@@ -73,7 +73,7 @@ DecayPoint noise_point(const DecayTrack& track, const DecayWindow& window) {
   return decay_point(window, track.task.derivatives, track.walk.noise_variance);
 }
 
-/// What a sensor sees in the windows of another.
+/// The points of a sensor in the windows of another.
 SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
   SensorPoints points(leader.walk.windows.size());
   std::vector<DecayWindow> windows;
@@ -172,7 +172,7 @@ class Combination {
  private:
   [[nodiscard]] const DecayTrack& leader() const { return tracks_[result_.leader].track; }
 
-  /// The windows whose centres are within half a window, and the place of the wanted one among
+  /// The windows whose centres are within half a window, and the index of the requested one among
   /// them.
   [[nodiscard]] std::vector<std::size_t> windows_about(std::size_t i) const {
     const std::vector<DecayWindow>& windows = leader().walk.windows;
@@ -294,8 +294,8 @@ class Combination {
         {"sensors_differ",
          fmt::format(
              "{} and {} differ in {} by more than twice its standard deviation in {} of "
-             "{} windows, at worst {:.1f} of them ({:+.2g} %): something beside the mode is in "
-             "one of them. It is in the standard deviations of the levels.",
+             "{} windows, at worst {:.1f} of them ({:+.2g} %): one of them contains another "
+             "oscillation. The standard deviations of the levels include it.",
              tracks_[a].name, tracks_[b].name, quantity, apart, common, worst,
              100.0 * difference)});
   }
@@ -329,8 +329,8 @@ class Combination {
         {"shape_moves",
          fmt::format(
              "The amplitude of {} over that of {} moves by {:.2g} % over the decay, beyond its "
-             "standard deviation in {} windows: the mode's shape is not fixed there, or {} sees "
-             "something else too.",
+             "standard deviation in {} windows: the mode's shape is not fixed there, or {} also "
+             "measures another motion.",
              moved.name, tracks_[result_.leader].name, 100.0 * moved.ratio_range, apart,
              moved.name)});
   }

@@ -17,11 +17,11 @@ struct SensorTrack {
   DecayTrack track;  ///< with windows
 };
 
-/// What the sensors say together, in the windows of one of them.
+/// The combined result of the sensors, in the windows of one of them.
 struct CombinedDecay {
-  std::size_t leader = 0;          ///< whose windows they are
-  std::vector<DecayPoint> points;  ///< one a window; amplitudes of the first sensor
-  std::vector<std::string> flags;  ///< one a window: sensors_differ, shape_moves
+  std::size_t leader = 0;          ///< index of the sensor whose windows are used
+  std::vector<DecayPoint> points;  ///< one per window; amplitudes of the first sensor
+  std::vector<std::string> flags;  ///< one per window: sensors_differ, shape_moves
   std::vector<RingDownSensor> sensors;
   std::vector<Warning> warnings;
 };

@@ -36,8 +36,8 @@ Complex gain_of(double decay, double omega, double length) {
   return sum / weight;
 }
 
-/// The shortest windows that keep the known others out as far as the noise asks for, up to those of
-/// the walk: the shorter they are the farther off a second oscillation is seen.
+/// The shortest windows that suppress the known others as far as the noise requires, up to those of
+/// the walk: the shorter they are, the farther off a second oscillation is seen.
 double length_of_windows(const DecayTask& task, std::span<const DecayWindow> windows) {
   constexpr double kShorter = 0.4;
   constexpr double kKeptOut = 1e-3;  // of the mode
@@ -66,7 +66,7 @@ double middle_omega(std::span<const DecayWindow> windows) {
 /// @param end  s: no window reaches beyond.
 Baseband baseband_of(const DecayTask& task, std::span<const DecayWindow> windows,
                      double noise_variance, double end) {
-  // Neither model is exact: what a decay may differ from it by, of its amplitude.
+  // Neither model is exact: allowed deviation of a decay from it, of its amplitude.
   constexpr double kModel = 3e-4;
   Baseband band;
   band.length = length_of_windows(task, windows);
@@ -135,7 +135,7 @@ Fitted mode_alone(const Baseband& band, int coefficients) {
   return best;
 }
 
-/// Where a second oscillation beside the mode would be, best first: (Δ, δ₂) over the mean decay
+/// Candidates of a second oscillation beside the mode, best first: (Δ, δ₂) over the mean decay
 /// rate.
 std::vector<Eigen::Vector2d> places_of_second(const Baseband& band, const Fitted& alone,
                                               std::size_t most) {
@@ -225,7 +225,7 @@ std::optional<SecondOscillation> oscillation_of(const Baseband& band, const Fitt
   return second;
 }
 
-/// Whether a fit leaves noise alone.
+/// Whether the residual of a fit is only noise.
 bool leaves_noise(const Baseband& band, const Fitted& found) {
   constexpr double kNoise = 2.0;  // χ² of what is left, over its expected value
   constexpr double kMore = 30.0;  // of χ², for few values
@@ -236,7 +236,7 @@ bool leaves_noise(const Baseband& band, const Fitted& found) {
 bool are_two(const Baseband& band, const Fitted& two) {
   constexpr int kCubic = 4;        // coefficients
   constexpr double kSure = 16.0;   // of χ²: the one mode has more unknowns and should leave less
-  constexpr double kUnsure = 4.0;  // times as much where its fit did not come to rest
+  constexpr double kUnsure = 4.0;  // times as much where its fit did not converge
   if (!leaves_noise(band, two)) return false;
   const Fitted alone = mode_alone(band, kCubic);
   const double left = std::max(1.0, two.chi_square / band.independent());
@@ -244,7 +244,7 @@ bool are_two(const Baseband& band, const Fitted& two) {
   return alone.chi_square > (alone.converged ? most : kUnsure * most);
 }
 
-/// Says whether a steady tone is one by other evidence too.
+/// Returns whether other evidence also shows a steady tone.
 using ToneCheck = std::function<bool(const SecondOscillation&)>;
 
 std::optional<SecondOscillation> second_in(const Baseband& band, const ToneCheck& may_be_tone) {
@@ -263,7 +263,7 @@ std::optional<SecondOscillation> second_in(const Baseband& band, const ToneCheck
   return oscillation_of(band, two);
 }
 
-/// Whether a tone is in what was recorded before the blow too, where that can tell.
+/// Whether a tone is also in the record before the blow, where that is conclusive.
 bool is_before(const SecondOscillation& tone, std::span<const double> before, double rate,
                double noise_variance) {
   constexpr double kFewestPeriods = 4.0;
@@ -294,7 +294,7 @@ std::optional<SecondOscillation> find_second_oscillation(const DecayTask& task,
                                                          std::span<const double> before) {
   if (windows.empty()) return std::nullopt;
   // Beyond the windows, where the mode has died away and a tone has not, and where a beat may have
-  // ended the walk early; if that tells nothing, for the end of the record may be disturbed, along
+  // ended the walk early; if that is inconclusive, as the end of the record may be disturbed, along
   // the windows alone.
   constexpr double kLonger = 2.0;
   constexpr double kFall = 8.0;  // of ln A

@@ -18,13 +18,13 @@
 ///     Z(t) = c₁e^{−δ₁t} + c₂e^{(−δ₂ + iΔ)t},
 ///
 /// and for a mode with a joint c₁e^{x + iθ}, ẋ = −δ(x), θ̇ = ω(x) − ω₀. Both are fitted, δ and ω
-/// cubic in x, which has more unknowns. There is a second oscillation where two leave noise alone
-/// and the one mode clearly more. Beside a mode whose frequency moves with the amplitude none is
-/// found.
+/// cubic in x, which has more unknowns. There is a second oscillation where the residual of two is
+/// only noise and that of one mode clearly more. Beside a mode whose frequency moves with the
+/// amplitude none is found.
 
 namespace microslip {
 
-/// Two damped oscillations: the mode, and the one beside it.
+/// Two damped oscillations: the mode, and another one beside it.
 struct SecondOscillation {
   bool steady = false;     ///< a tone, which does not decay
   double omega = 0.0;      ///< of the second oscillation, rad/s
@@ -38,19 +38,19 @@ struct SecondOscillation {
   double mode_decay = 0.0;      ///< δ₁, 1/s; above 0
   double length = 0.0;          ///< T of the windows of Z, s
 
-  /// What a window would show of the mode alone; no covariance, no other modes.
+  /// The window of the mode alone; without covariance and other modes.
   [[nodiscard]] DecayWindow mode_at(double time) const;
 };
 
-/// The second oscillation of a decay; nothing where a smooth decay of one mode explains it as well.
+/// The second oscillation of a decay; none where a smooth decay of one mode explains it as well.
 /// @param windows         of the walk, with one at least.
 /// @param noise_variance  of a sample.
-/// @param before          what was recorded before the blow; may be empty. A tone is in it too.
+/// @param before          the record before the blow; may be empty. A tone is in it as well.
 [[nodiscard]] std::optional<SecondOscillation> find_second_oscillation(
     const DecayTask& task, std::span<const DecayWindow> windows, double noise_variance,
     std::span<const double> before);
 
-/// By what share the second oscillation moves ζ of a window.
+/// Relative shift of ζ of a window by the second oscillation.
 [[nodiscard]] double relative_shift(const SecondOscillation& second, const DecayWindow& window,
                                     int derivatives);
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 /// @file
-/// Means of what several sensors say of one quantity over time. Internal to signal.
+/// Means over several sensors of one quantity over time. Internal to signal.
 
 namespace microslip {
 
-/// What one sensor says at one time.
+/// The value of one sensor at one time.
 struct SensorValue {
   double value = 0.0;
   double variance = 0.0;  ///< above 0
@@ -29,8 +29,8 @@ struct SensorMean {
 ///
 ///     Σw²(noise + s²/r²)/(Σw)² + Σw(variance − noise)/Σw.
 ///
-/// What is beside the noise, the choice of the window and the theory, the sensors of one decay
-/// share: it does not fall with their number.
+/// Errors other than noise, of the choice of the window and of the theory, are common to the
+/// sensors of one decay: they do not fall with their number.
 /// @param times  each the values of one time; the mean is that of the time `wanted`.
 [[nodiscard]] SensorMean sensor_mean(std::span<const std::vector<SensorValue>> times,
                                      std::size_t wanted);

@@ -29,8 +29,8 @@ double TaperedWindow::largest() const {
 }
 
 std::complex<double> TaperedWindow::transform(double omega) const {
-  // A turning pointer in place of a cosine a sample; over a window its rounding stays below 1e−12.
-  // In real numbers, for a product of complex ones looks for NaN each time.
+  // A rotating phasor in place of a cosine per sample; over a window its rounding stays below
+  // 1e−12. In real numbers, for a product of complex ones looks for NaN each time.
   const std::complex<double> start = std::polar(1.0, -omega * first_ * length_ / 2.0);
   const std::complex<double> step = std::polar(1.0, -omega / rate_);
   double real = start.real();

@@ -48,7 +48,7 @@ class TaperedWindow {
   /// The first (0) or second (1) half under a taper of its own.
   [[nodiscard]] TaperedWindow half(int which) const;
 
-  /// The same window over other values. @param values  as many as there are.
+  /// This window over other values. @param values  as many as it has.
   [[nodiscard]] TaperedWindow with_values(std::span<const double> values) const;
 
  private:

@@ -31,7 +31,7 @@ void check_omegas(const FourierSeries& force, const FourierSeries& acceleration)
 void check_length(std::string_view what, std::size_t length, std::size_t expected) {
   if (length == 0 || length == expected) return;
   throw InputError(what, static_cast<double>(length),
-                   fmt::format("must be {}, one a harmonic, or 0", expected));
+                   fmt::format("must be {}, one per harmonic, or 0", expected));
 }
 
 double std_of(std::span<const double> errors, std::size_t n) {
@@ -104,7 +104,7 @@ std::vector<double> velocity_at_points(const Axis& axis, std::span<const double>
 void check_samples(const Axis& axis, std::size_t force, std::size_t acceleration) {
   constexpr std::size_t kLeastPoints = 8;
   if (force < kLeastPoints) {
-    throw InputError("number of points", static_cast<double>(force), "must be 8 at least");
+    throw InputError("number of points", static_cast<double>(force), "must be at least 8");
   }
   if (acceleration == force && (axis.even() || axis.values.size() == force)) return;
   throw InputError("length of the acceleration or the axis",
@@ -157,7 +157,7 @@ SampledEnergy cycle_energy_from_samples(const Axis& axis, std::span<const double
   }
   if (ratio > static_cast<double>(force.size())) {
     throw InputError("length of the record", length,
-                     fmt::format("must be at most a cycle, {} s, a point", period));
+                     fmt::format("must be at most a cycle, {} s, per point", period));
   }
   const auto cycles = static_cast<std::size_t>(ratio);
   SampledEnergy result;
@@ -186,11 +186,11 @@ EnergyEstimate linear_dissipation(std::span<const FourierSeries> modal,
   double variance = 0.0;
   for (std::size_t i = 0; i < modal.size(); ++i) {
     if (!(loss_factor[i] >= 0.0)) {
-      throw InputError(fmt::format("loss_factor {}", i + 1), loss_factor[i], "must be 0 or above");
+      throw InputError(fmt::format("loss_factor {}", i + 1), loss_factor[i], "must be 0 or more");
     }
     if (!(natural_omega[i] >= 0.0)) {
       throw InputError(fmt::format("natural_omega {}", i + 1), natural_omega[i],
-                       "must be 0 rad/s or above");
+                       "must be 0 rad/s or more");
     }
     const std::span<const double> errors =
         modal_std.empty() ? std::span<const double>{} : std::span<const double>(modal_std[i]);

@@ -37,7 +37,7 @@ struct EnergyEstimate {
                                           std::span<const double> force_std = {},
                                           std::span<const double> acceleration_std = {});
 
-/// Where the velocity for the sum over the samples comes from.
+/// Source of the velocity for the sum over the samples.
 enum class VelocityFrom {
   kSeries,   ///< the series of the acceleration, integrated in closed form
   kSamples,  ///< the samples of the acceleration, integrated cumulatively
@@ -51,16 +51,16 @@ struct SampledEnergy {
 };
 
 /// W from the samples [AR14 (17)]: ∫ f ẇ dt over each whole cycle after the first sample. For even
-/// steps by h/24 (−y_{i−1} + 13 y_i + 13 y_{i+1} − y_{i+2}) a step, for others by the trapezoid,
-/// the ends of a cycle interpolated by cubics. For whole numbers of samples a cycle that is exact
+/// steps by h/24 (−y_{i−1} + 13 y_i + 13 y_{i+1} − y_{i+2}) per step, for others by the trapezoid,
+/// the ends of a cycle interpolated by cubics. For whole numbers of samples per cycle that is exact
 /// as long as the product has no content at the sampling rate; else the error is of order (ωh)⁴.
 ///
 /// Mean and trend that were fitted are subtracted from both signals. The velocity is that of the
 /// series, or the running integral of the samples, less its mean over the cycle; the latter is
 /// independent of the series but for ω.
 /// @param axis                over time.
-/// @param force               f, N, one value a point of the axis.
-/// @param acceleration        ẅ, m/s², likewise.
+/// @param force               f, N, one value per point of the axis.
+/// @param acceleration        ẅ, m/s², one value per point of the axis.
 /// @param force_series        the fit of `force`.
 /// @param acceleration_series the fit of `acceleration`.
 /// @param velocity            where ẇ comes from.
@@ -76,8 +76,8 @@ struct SampledEnergy {
 ///     W_lin = Σ_i Σ_n nπ η_i ω_i² |q_in|²
 ///
 /// @param modal          q_i, coordinates of mass-normalised modes, m√kg.
-/// @param loss_factor    η_i, 1; ≥ 0; one a mode.
-/// @param natural_omega  ω_i, rad/s; ≥ 0; one a mode.
+/// @param loss_factor    η_i, 1; ≥ 0; one per mode.
+/// @param natural_omega  ω_i, rad/s; ≥ 0; one per mode.
 /// @param modal_std      [mode][n − 1] standard errors of q_in, taken as independent; empty for 0.
 /// @throws InputError  where a length or value does not fit.
 [[nodiscard]] EnergyEstimate linear_dissipation(

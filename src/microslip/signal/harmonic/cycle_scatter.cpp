@@ -37,9 +37,9 @@ void check(const Axis& axis, Signals signals, const FourierFit& fit,
   require_positive("cycles of the fit", fit.cycles);
   if (axis.even()) require_positive("step of the axis", axis.step);
   if (fit.points < 2) {
-    throw InputError("points of the fit", static_cast<double>(fit.points), "must be 2 at least");
+    throw InputError("points of the fit", static_cast<double>(fit.points), "must be at least 2");
   }
-  if (options.order < 1) throw InputError("order", options.order, "must be 1 at least");
+  if (options.order < 1) throw InputError("order", options.order, "must be at least 1");
   if (signals.size() != fit.series.size()) {
     throw InputError("number of signals", static_cast<double>(signals.size()),
                      fmt::format("must be {}, that of the fit", fit.series.size()));
@@ -141,8 +141,8 @@ Eigen::MatrixXd without_trend(const Axis& axis, Signals signals, const FourierFi
   return result;
 }
 
-/// Correlation of neighbours of values with the given mean taken off, unbiased to first order, less
-/// its standard error 1/√N: chance alone gives independent values that much.
+/// Correlation of neighbouring values about the given mean, unbiased to first order, less its
+/// standard error 1/√N: chance alone gives independent values that much.
 double lag_one(std::span<const double> deviations) {
   double square = 0.0;
   double product = 0.0;
@@ -158,7 +158,7 @@ double lag_one(std::span<const double> deviations) {
 
 double inflation(double correlation) { return (1.0 + correlation) / (1.0 - correlation); }
 
-/// Slope and its standard error of the straight line through the values, one a unit of x.
+/// Slope and its standard error of the straight line through the values, one per unit of x.
 void add_slope(std::span<const double> values, Scatter& result) {
   const double n = static_cast<double>(values.size());
   const double centre = 0.5 * (n - 1.0);
@@ -218,7 +218,7 @@ double Scatter::slope_significance() const {
 }
 
 Scatter scatter(std::span<const double> values) {
-  if (values.empty()) throw InputError("number of values", 0.0, "must be 1 at least");
+  if (values.empty()) throw InputError("number of values", 0.0, "must be at least 1");
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const double n = static_cast<double>(values.size());
   Scatter result;

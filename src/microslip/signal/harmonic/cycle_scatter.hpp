@@ -27,21 +27,21 @@ struct CycleSeriesOptions {
 };
 
 /// Fits mean and harmonics to each whole cycle of the record by linear least squares, after the
-/// trend of the whole record is subtracted. The first cycle begins with the record; what is left at
-/// the end is not used. Where a cycle has fewer than 2(2H + 1) points, a block of several cycles
-/// that has as many stands for it. Blocks with a gap of uneven times as long as half a period of
-/// the highest harmonic are left out: they do not determine it.
+/// trend of the whole record is subtracted. The first cycle begins with the record; the rest at the
+/// end is not used. Where a cycle has fewer than 2(2H + 1) points, a block of several cycles that
+/// has as many replaces it. Blocks with a gap of uneven times as long as half a period of the
+/// highest harmonic are left out: they do not determine it.
 /// @param axis     over time.
-/// @param signals  each with one value a point of the axis.
+/// @param signals  each with one value per point of the axis.
 /// @param fit      of the same axis and signals, converged.
 /// @param options  how many harmonics.
-/// @throws InputError  where axis, signals and fit do not belong together, or ω is not above 0.
+/// @throws InputError  where axis, signals and fit do not match, or ω is not above 0.
 [[nodiscard]] CycleSeries cycle_series(const Axis& axis,
                                        std::span<const std::span<const double>> signals,
                                        const FourierFit& fit,
                                        const CycleSeriesOptions& options = {});
 
-/// What values that follow each other, one a cycle, tell of their mean.
+/// Mean of consecutive values, one per cycle, and its scatter.
 struct Scatter {
   std::size_t count = 0;        ///< values, 1
   double mean = 0.0;            ///< [y]
@@ -54,15 +54,15 @@ struct Scatter {
   [[nodiscard]] double slope_significance() const;
 };
 
-/// Mean and scatter with regard to correlation of neighbours:
+/// Mean and scatter, with the correlation of neighbours:
 ///
 ///     standard_error² = s²/N · (1 + ρ)/(1 − ρ)
 ///
-/// ρ is the correlation of lag 1, its bias 1/N added and its standard error 1/√N taken off: what
-/// chance makes of independent values is no correlation. Negative counts as 0, and 0.9 is the
-/// largest [AR(1); G. E. P. Box, G. M. Jenkins, Time Series Analysis, 1970]. The same factor, from
-/// the residuals of the straight line, enters slope_std. Standard errors are NaN for fewer than 4
-/// values: so few tell nothing.
+/// ρ is the correlation of lag 1, its bias 1/N added and its standard error 1/√N subtracted: the
+/// correlation that chance gives independent values does not count. Negative counts as 0, and 0.9
+/// is the largest [AR(1); G. E. P. Box, G. M. Jenkins, Time Series Analysis, 1970]. The same
+/// factor, from the residuals of the straight line, enters slope_std. Standard errors are NaN for
+/// fewer than 4 values: so few are not enough.
 /// @param values  1 at least.
 [[nodiscard]] Scatter scatter(std::span<const double> values);
 

@@ -67,16 +67,16 @@ void check_axis(const Axis& axis, std::size_t points) {
   for (std::size_t i = 0; i < points; ++i) {
     if (std::isfinite(axis.values[i]) && (i == 0 || axis.values[i] > axis.values[i - 1])) continue;
     throw InputError(fmt::format("time {}", i + 1), axis.values[i],
-                     "must be finite and above the one before it");
+                     "must be finite and above the previous one");
   }
 }
 
 void check_signals(const Axis& axis, Signals signals) {
   constexpr std::size_t kLeastPoints = 8;
-  if (signals.empty()) throw InputError("signals", "none", "must be one at least");
+  if (signals.empty()) throw InputError("signals", "none", "must be at least one");
   const std::size_t points = signals.front().size();
   if (points < kLeastPoints) {
-    throw InputError("number of points", static_cast<double>(points), "must be 8 at least");
+    throw InputError("number of points", static_cast<double>(points), "must be at least 8");
   }
   check_axis(axis, points);
   for (std::size_t j = 0; j < signals.size(); ++j) {
@@ -97,7 +97,7 @@ void check_signals(const Axis& axis, Signals signals) {
 struct Prepared {
   Eigen::MatrixXd scaled;      ///< points × moving signals
   std::vector<Index> column;   ///< of each signal in scaled; −1 where it is constant
-  Eigen::MatrixXd polynomial;  ///< Legendre coefficients that were taken off: × all signals, [x]
+  Eigen::MatrixXd polynomial;  ///< subtracted Legendre coefficients: × all signals, [x]
   Eigen::VectorXd scale;       ///< rms per signal, [x]; 0 where it is constant
 };
 

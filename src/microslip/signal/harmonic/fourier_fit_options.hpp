@@ -8,21 +8,20 @@ namespace microslip {
 /// How standard errors are found from the residuals.
 enum class ResidualModel {
   /// The record is cut in blocks of about ∛(number of cycles) cycles, shorter ones where these are
-  /// fewer than 16, and the scatter of what each block contributes to a coefficient is taken: right
-  /// also where the residuals are correlated over less than a block (controller noise, slow changes
-  /// of amplitude), or between signals.
-  /// With fewer than 8 blocks: as kWhite.
+  /// fewer than 16, and the scatter of the contribution of each block to a coefficient is taken:
+  /// correct also where the residuals are correlated over less than a block (controller noise, slow
+  /// changes of amplitude), or between signals. With fewer than 8 blocks: as kWhite.
   kBlocks,
   /// Independent residuals of equal variance RSS/(points − unknowns).
   kWhite,
 };
 
-/// What fit_fourier() fits.
+/// Options of fit_fourier().
 struct FourierFitOptions {
   /// H; 1 … 100. Reduced, with the warning order_reduced, where H·f is above 0.45 of the (mean)
   /// sampling rate or there are fewer than two points an unknown.
   int order = 10;
-  /// The fundamental as far as it is known, Hz, > 0. Nothing: found from the spectrum.
+  /// Approximate fundamental, Hz, > 0. None: found from the spectrum.
   std::optional<double> frequency_guess = {};
   /// How far from the guess the fundamental may lie, relative; in (0, 0.3].
   double guess_tolerance = 0.03;

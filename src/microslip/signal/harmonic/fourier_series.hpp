@@ -45,12 +45,11 @@ struct FourierSeries {
 [[nodiscard]] FourierSeries derivative(const FourierSeries& series);
 
 /// The integral of the periodic part that has no mean: c_n/(inω). Mean and trend are dropped: those
-/// of an accelerometer tell nothing of the motion, and the integral of a mean is no periodic
-/// signal.
+/// of an accelerometer do not belong to the motion, and the integral of a mean is not periodic.
 /// @throws InputError  where ω is not above 0.
 [[nodiscard]] FourierSeries integral(const FourierSeries& series);
 
-/// The same signal with another zero of time: t = t_new + origin, so c_n e^{inω·origin}.
+/// The signal with another zero of time: t = t_new + origin, so c_n e^{inω·origin}.
 /// @param series  on the old axis.
 /// @param origin  the new zero on the old axis, s.
 [[nodiscard]] FourierSeries shifted(const FourierSeries& series, double origin);

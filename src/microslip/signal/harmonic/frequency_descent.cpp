@@ -38,7 +38,7 @@ double deviation(const HarmonicRegression& regression, const HarmonicFit& fit) {
   return 1.0 / std::sqrt(information(regression, fit));
 }
 
-/// The step that nobody would miss: far below the standard error, or lost in rounding.
+/// The negligible step: far below the standard error, or below rounding.
 double tolerance(const HarmonicRegression& regression, const HarmonicFit& fit, const Step& step) {
   return std::max({kRelativeStep * fit.big_omega, step.rounding,
                    kStepInDeviations * deviation(regression, fit)});

@@ -92,7 +92,7 @@ std::string Search::too_few_cycles(double cycles) const {
 }
 
 std::string Search::too_few_points(double cycles) const {
-  return fmt::format("{:.3g} points a cycle of {:.5g} Hz, too few for its first harmonic",
+  return fmt::format("{:.3g} points per cycle of {:.5g} Hz, too few for its first harmonic",
                      points() / cycles, hertz(cycles));
 }
 
@@ -109,7 +109,7 @@ Descent Search::descend_from(double cycles, Index order, OmegaRange range) {
   return descent;
 }
 
-/// A line by itself: as its own fundamental of order 1.
+/// A single line, as its own fundamental of order 1.
 double Search::refined_line(double cycles) {
   if (largest_order(cycles, 1) < 1) return cycles;
   const Descent line = descend_from(cycles, 1, line_range(cycles));
@@ -138,8 +138,8 @@ double Search::start_near(double cycles, OmegaRange range, Index order) {
   return lowest_loss.second;
 }
 
-/// Whether the harmonics of the fit that are no multiples of the divisor hold more, in some signal,
-/// than noise and trifles: the period is then no divisor-th of that of the fit.
+/// Whether the harmonics of the fit that are not multiples of the divisor contain, in some signal,
+/// more than noise and trifles: the period is then not a divisor-th of that of the fit.
 bool Search::needed(const HarmonicFit& fit, Index divisor) const {
   const Eigen::MatrixXd power = 0.5 * fit.harmonics().cwiseAbs2();
   for (Index j = 0; j < regression_.signals(); ++j) {
@@ -158,7 +158,7 @@ bool Search::needed(const HarmonicFit& fit, Index divisor) const {
   return false;
 }
 
-/// What the lines at the multiples of `cycles` beside a place leak to it, and as much again.
+/// Twice the leakage to a place from the lines at the multiples of `cycles` beside it.
 double Search::leakage(double cycles, double place, Index signal) const {
   const double below = std::floor(place / cycles) * cycles;
   const auto from = [&](double line) {
@@ -197,20 +197,20 @@ double Search::information_criterion(const HarmonicFit& fit) const {
 /// own and explains the signals best; and so on from that. A multiple of a divisor that holds is
 /// left to the next round, where it must have lines that the divisor does not have.
 double Search::longest_period(double cycles) {
-  std::vector<Index> held;
+  std::vector<Index> accepted;
   std::pair<double, double> best{INFINITY, cycles};
   for (Index m = 2; m <= kLargestDivisor; ++m) {
     const double divided = cycles / static_cast<double>(m);
-    const bool repeats = std::ranges::any_of(held, [m](Index h) { return m % h == 0; });
+    const bool repeats = std::ranges::any_of(accepted, [m](Index h) { return m % h == 0; });
     if (repeats || divided < kLeastCycles || !worth_trying(cycles, m)) continue;
     const Index order =
         largest_order(divided, std::min(kLargestTrialOrder, m * Index{options_.order}));
     const Descent trial = descend_from(divided, order, line_range(divided));
     if (!trial.converged || !needed(trial.fit, m)) continue;
-    held.push_back(m);
+    accepted.push_back(m);
     best = std::min(best, {information_criterion(trial.fit), cycles_of(trial.fit.big_omega)});
   }
-  return held.empty() ? cycles : longest_period(best.second);
+  return accepted.empty() ? cycles : longest_period(best.second);
 }
 
 Fundamental Search::finish(Descent descent, std::string_view where) {
@@ -231,7 +231,7 @@ Fundamental Search::finish(Descent descent, std::string_view where) {
   if (fit.order < options_.order) {
     result.warnings.push_back(
         {"order_reduced",
-         fmt::format("order {} instead of {}: {:.4g} points a cycle, {} in all, carry no more",
+         fmt::format("order {} instead of {}: {:.4g} points per cycle, {} in all, allow no more",
                      fit.order, options_.order, points() / cycles, points())});
   }
   if (cycles < kLeastCycles) {
@@ -274,11 +274,11 @@ Fundamental Search::at_guess(double guess) {
   if (cycles < kLeastCycles) return failed(too_few_cycles(cycles));
   const Index order = largest_order(cycles, options_.order);
   if (order < 1) return failed(too_few_points(cycles));
-  Descent held;
-  held.fit = regression_.fit(big_omega(cycles), order);
-  held.converged = true;
+  Descent fixed;
+  fixed.fit = regression_.fit(big_omega(cycles), order);
+  fixed.converged = true;
   iterations_ = 1;
-  return finish(std::move(held), fmt::format("at {:.5g} Hz", guess));
+  return finish(std::move(fixed), fmt::format("at {:.5g} Hz", guess));
 }
 
 Fundamental Search::anywhere() {

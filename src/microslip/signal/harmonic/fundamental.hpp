@@ -25,7 +25,7 @@ struct Fundamental {
 inline constexpr double kLeastCycles = 3.0;
 
 /// Finds the fundamental by the rule of fourier_fit.hpp.
-/// @param signals  those of the regression: of mean square 1.
+/// @param signals  the signals of the regression, of mean square 1.
 [[nodiscard]] Fundamental find_fundamental(const HarmonicRegression& regression,
                                            const Eigen::MatrixXd& signals,
                                            const FourierFitOptions& options);

@@ -21,7 +21,7 @@ class RecordTimes {
   [[nodiscard]] double half_width() const { return half_width_; }  ///< s
   /// Mean distance of the points, s.
   [[nodiscard]] double step() const { return 2.0 * half_width_ / static_cast<double>(points_ - 1); }
-  /// Time the record stands for: one step a point, s.
+  /// Duration that the record represents: one step per point, s.
   [[nodiscard]] double length() const { return step() * static_cast<double>(points_); }
   /// s of point i, 1.
   [[nodiscard]] double s(Eigen::Index i) const;

@@ -39,7 +39,7 @@ class HarmonicRegression {
   HarmonicRegression(const RecordTimes& times, const Eigen::MatrixXd& signals, Eigen::Index degree);
 
   [[nodiscard]] HarmonicFit fit(double big_omega, Eigen::Index order) const;
-  /// What the fit leaves of the signals.
+  /// Residuals of the signals.
   [[nodiscard]] Eigen::MatrixXd residuals(const HarmonicFit& fit) const;
 
   [[nodiscard]] const RecordTimes& times() const { return times_; }

@@ -92,7 +92,7 @@ void remove_small_ranges(std::vector<TurningPoint>& points, double threshold) {
 
 void check_at_least(std::string_view what, double value, double least) {
   if (value >= least && std::isfinite(value)) return;
-  throw InputError(what, value, fmt::format("must be {:g} or above", least));
+  throw InputError(what, value, fmt::format("must be {:g} or more", least));
 }
 
 void add_warnings(std::string_view name, SignalQuality& quality) {
@@ -146,7 +146,7 @@ Reversals reversals(const FourierSeries& series, std::span<const double> harmoni
   check_at_least("noise_factor", options.noise_factor, 0.0);
   if (!harmonic_std.empty() && harmonic_std.size() != series.order()) {
     throw InputError("number of harmonic_std", static_cast<double>(harmonic_std.size()),
-                     fmt::format("must be {}, one a harmonic, or 0", series.order()));
+                     fmt::format("must be {}, one per harmonic, or 0", series.order()));
   }
   double variance = 0.0;
   for (const double error : harmonic_std) variance += error * error;
@@ -196,7 +196,7 @@ Dropouts find_dropouts(const Axis& axis, std::span<const double> signal,
   for (std::size_t i = 1; i < axis.values.size(); ++i) {
     if (!(axis.values[i] > axis.values[i - 1])) {
       throw InputError(fmt::format("time {}", i + 1), axis.values[i],
-                       "must be later than the time before it");
+                       "must be later than the previous time");
     }
     steps.push_back(axis.values[i] - axis.values[i - 1]);
   }
@@ -219,7 +219,7 @@ SignalQuality signal_quality(const Axis& axis, std::span<const std::span<const d
   if (fit.harmonic_std.size() != fit.series.size()) {
     throw InputError("number of harmonic_std of the fit",
                      static_cast<double>(fit.harmonic_std.size()),
-                     fmt::format("must be {}, one a signal", fit.series.size()));
+                     fmt::format("must be {}, one per signal", fit.series.size()));
   }
   SignalQuality result;
   const FourierSeries& series = fit.series[index];

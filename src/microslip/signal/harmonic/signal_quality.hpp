@@ -14,7 +14,7 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// What a signal must be free of before an energy is computed from it.
+/// Faults of a signal that must be excluded before an energy is computed from it.
 
 namespace microslip {
 
@@ -23,11 +23,11 @@ struct Reversals {
   std::vector<TurningPoint> points;  ///< those that count, by time
   double threshold = 0.0;            ///< least difference between neighbours that counts, [x]
 
-  /// 2 for a cycle without inner loops; 0 where nothing is above the noise.
+  /// 2 for a cycle without inner loops; 0 where no reversal is above the noise.
   [[nodiscard]] std::size_t count() const { return points.size(); }
 };
 
-/// What counts as a reversal.
+/// Options of the detection of reversals.
 struct ReversalOptions {
   /// k; ≥ 0. At 4 noise makes an inner reversal in fewer than one of 10⁴ flat places.
   double noise_factor = 4.0;
@@ -50,7 +50,7 @@ struct ReversalOptions {
 /// Harmonics 2 … H over the first: √(Σ_{n≥2}|c_n|²)/|c_1|, 1. ∞ where c_1 = 0.
 [[nodiscard]] double distortion(const FourierSeries& series);
 
-/// What counts as clipped.
+/// Options of the detection of clipping.
 struct ClippingOptions {
   /// Values that count as at the extreme: within this share of the peak-to-peak; [0, 0.01].
   double level_tolerance = 1e-9;
@@ -76,7 +76,7 @@ struct Clipping {
 [[nodiscard]] Clipping find_clipping(std::span<const double> signal,
                                      const ClippingOptions& options = {});
 
-/// What counts as a drop-out.
+/// Options of the detection of drop-outs.
 struct DropoutOptions {
   /// Points in succession of one value (away from the extremes) that make a drop-out; ≥ 3.
   std::size_t least_run = 8;
@@ -102,7 +102,7 @@ struct Dropouts {
 [[nodiscard]] Dropouts find_dropouts(const Axis& axis, std::span<const double> signal,
                                      const DropoutOptions& options = {});
 
-/// What signal_quality() asks of a signal.
+/// Options of signal_quality().
 struct SignalQualityOptions {
   ReversalOptions reversals;  ///< what counts as a reversal
   ClippingOptions clipping;   ///< what counts as clipped
@@ -126,7 +126,7 @@ struct SignalQuality {
   std::vector<Warning> warnings;
 };
 
-/// Looks at one signal of a fit.
+/// Checks one signal of a fit.
 /// @param axis     of the recording.
 /// @param signals  those of the fit, in its order.
 /// @param fit      of all signals.

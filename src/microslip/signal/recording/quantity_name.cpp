@@ -25,7 +25,8 @@ constexpr std::array kWords{
     Word{"freq", kFrequency},
 };
 
-/// Symbols of the field. Alone: beside another word they are a direction, an index or a unit.
+/// Symbols of the field. Only by themselves: with another word they are a direction, an index or a
+/// unit.
 constexpr std::array kLetters{
     Word{"x", kLength},       Word{"y", kLength}, Word{"u", kLength}, Word{"v", kVelocity},
     Word{"a", kAcceleration}, Word{"f", kForce},  Word{"t", kTime},

@@ -8,12 +8,12 @@
 
 namespace microslip {
 
-/// What a channel of such a name measures: by a word in it (force, acceleration, accel or acc,
+/// The quantity that a channel measures, by a word in its name (force, acceleration, accel or acc,
 /// velocity or vel, displacement, displ or disp, pressure, time, frequency or freq, in capitals or
-/// not, with digits or `_` around it: acc1, tip_acceleration), or by the letter that is all of the
+/// not, with digits or `_` around it: acc1, tip_acceleration), or by the letter that is the whole
 /// name but for digits: x, y or u for a displacement, v for a velocity, a for an acceleration, f
 /// for a force, t for time.
-/// @return  nothing where it does not tell, or two words say different things.
+/// @return  none where the name is not conclusive, or two words contradict each other.
 [[nodiscard]] std::optional<Dimension> quantity_of_name(std::string_view name);
 
 }  // namespace microslip

@@ -19,21 +19,21 @@ std::string name_of(const Recording& recording, std::string_view channel) {
 [[noreturn]] void throw_missing(const Recording& recording, std::string_view name) {
   throw InputError(name_of(recording, name), InputState{"missing"},
                    fmt::format("the recording has {}", names_of_channels(recording)),
-                   "Give the name that it has there.");
+                   "Give a name from there.");
 }
 
-/// A name that tells of another quantity than the one that is sought is a hint that another channel
-/// was meant: obeying must not make metres of an acceleration.
+/// A name of another quantity than the one sought is a hint that another channel was meant:
+/// following the remedy must not make metres of an acceleration.
 [[noreturn]] void throw_without_unit(const Recording& recording, std::string_view name,
                                      const Dimension& expected) {
   const Dimension likely = quantity_of_name(name).value_or(expected);
   std::string rule = "must have a unit";
   std::string remedy =
-      fmt::format("Say what it is in with `assume_units {}={}`", name, si_unit(likely));
+      fmt::format("Give its unit with `assume_units {}={}`", name, si_unit(likely));
   if (likely == expected) {
     rule += " of " + dimension_name(expected);
   } else {
-    remedy += fmt::format(", if it is {} as its name says", dimension_name(likely));
+    remedy += fmt::format(", if it is {} as its name states", dimension_name(likely));
   }
   throw InputError(name_of(recording, name), InputState{"without unit"}, rule, remedy + ".");
 }
@@ -131,7 +131,7 @@ void check_recording(const Recording& recording) {
   const std::size_t points =
       recording.axis.even() ? recording.size() : recording.axis.values.size();
   if (points < 2) {
-    throw InputError(recording.source, fmt::format("{} points", points), "must have 2 at least");
+    throw InputError(recording.source, fmt::format("{} points", points), "must have at least 2");
   }
   check_axis(recording);
   std::vector<std::string_view> names;
@@ -142,7 +142,7 @@ void check_recording(const Recording& recording) {
   std::ranges::sort(names);
   const auto twice = std::ranges::adjacent_find(names);
   if (twice == names.end()) return;
-  throw InputError(name_of(recording, *twice), "there twice", "must have a name of its own");
+  throw InputError(name_of(recording, *twice), "there twice", "must have a unique name");
 }
 
 }  // namespace microslip

@@ -14,9 +14,8 @@
 
 namespace microslip {
 
-/// What the values of a recording are given over: time as a rule, frequency for what an analyser
-/// has transformed. Point i lies at start + i·step, or at values[i] where the points are not evenly
-/// spaced.
+/// The axis of the values of a recording: usually time, or the frequency of a transformed signal.
+/// Point i lies at start + i·step, or at values[i] where the points are not evenly spaced.
 struct Axis {
   Dimension dimension = kTime;  ///< of the points
   double start = 0.0;           ///< SI; the time zero of a record is where this axis has its 0
@@ -35,17 +34,17 @@ struct Axis {
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-/// What a file says of a recording or a channel beside its values, by name: "description",
-/// "serial number".
+/// Further information of a file on a recording or a channel, by name: "description", "serial
+/// number".
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
 /// One signal. Values are in SI where the unit is known.
 struct Channel {
   std::string name;                    ///< no two the same in a recording
-  std::optional<Dimension> dimension;  ///< nothing: the file has no unit; values are as it has them
-  std::vector<double> values;          ///< one a point of the axis
+  std::optional<Dimension> dimension;  ///< none: the file has no unit; values are as in the file
+  std::vector<double> values;          ///< one per point of the axis
   std::vector<double> imaginary;       ///< empty, or of the same length: the values are complex
-  Attributes attributes;               ///< beside its values
+  Attributes attributes;               ///< in addition to its values
 
   /// Member by member.
   friend bool operator==(const Channel&, const Channel&) = default;
@@ -56,7 +55,7 @@ struct Recording {
   std::string source;             ///< where it comes from, for messages and tables: "level_1.csv"
   Axis axis;                      ///< that its channels share
   std::vector<Channel> channels;  ///< one at least
-  Attributes attributes;          ///< beside those of the channels
+  Attributes attributes;          ///< in addition to those of the channels
 
   /// The number of points.
   [[nodiscard]] std::size_t size() const {
@@ -76,7 +75,7 @@ struct Recording {
   [[nodiscard]] std::span<const double> signal(std::string_view name,
                                                const Dimension& expected) const;
 
-  /// Says in which unit the values of a channel without one are; they become SI.
+  /// Sets the unit of the values of a channel without one; they become SI.
   /// @throws InputError  where the channel is missing or has a unit.
   void assume_unit(std::string_view name, const Unit& unit);
 };

@@ -19,9 +19,10 @@ namespace {
 
 using std::numbers::pi;
 
-/// Of a time with what acts then, and of its line in a table.
+/// Memory of a time with its loads, and of its line in a table, bytes.
 constexpr double kBytesOfTime = 85.0;
-/// Of noise within its density: the variance of one signal is then known to some √(2/64).
+/// Fewest lines of noise within its density: the variance of one signal is then known to some
+/// √(2/64).
 constexpr double kLeastLines = 64.0;
 constexpr std::size_t kLargestTransform = std::size_t{1} << 26U;
 /// A duration that is a whole number of steps, to rounding, ends with one.
@@ -44,7 +45,7 @@ std::size_t transform_size(std::size_t count, double sampling_rate, const PowerD
     if (size <= kLargestTransform) continue;
     throw InputError("sampling rate", sampling_rate,
                      fmt::format("must be lower, or the density wider than {:g} Hz and from above "
-                                 "{:g} Hz on: its noise takes more than {} values",
+                                 "{:g} Hz: its noise needs more than {} values",
                                  width, lowest, kLargestTransform));
   }
   return size;
@@ -88,8 +89,7 @@ std::vector<double> sine_sweep(std::span<const double> time, double from, double
                                bool logarithmic) {
   require_above_zero("first frequency of a sweep", from);
   require_above_zero("last frequency of a sweep", to);
-  if (from == to)
-    throw InputError("last frequency of a sweep", to, "must be another than the first");
+  if (from == to) throw InputError("last frequency of a sweep", to, "must differ from the first");
   const double length = time.back() - time.front();
   const double ratio = std::log(to / from);
   std::vector<double> values;

@@ -63,7 +63,7 @@ struct PowerDensity {
 /// @param sampling_rate  Hz; above twice the highest frequency.
 /// @param density        of the noise.
 /// @param seed           the same, the same noise.
-/// @param stream         one a signal: they are independent.
+/// @param stream         one per signal: they are independent.
 /// @throws InputError  as PowerDensity::check(); for a rate too low.
 [[nodiscard]] std::vector<double> stationary_noise(std::size_t count, double sampling_rate,
                                                    const PowerDensity& density, std::uint64_t seed,

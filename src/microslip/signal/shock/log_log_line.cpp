@@ -20,13 +20,13 @@ void check_log_log_line(std::string_view what, std::string_view of,
                         std::span<const double> frequency, std::span<const double> value) {
   if (frequency.size() < 2 || value.size() != frequency.size()) {
     throw InputError(fmt::format("points of {}", what), static_cast<double>(frequency.size()),
-                     fmt::format("must be 2 at least, with a {} each", of));
+                     fmt::format("must be at least 2, with a {} each", of));
   }
   for (std::size_t i = 0; i < frequency.size(); ++i) {
     const bool rises = i == 0 ? frequency[i] > 0.0 : frequency[i] > frequency[i - 1];
     if (!(std::isfinite(frequency[i]) && rises)) {
       throw InputError(fmt::format("frequency[{}] of {}", i, what), frequency[i],
-                       "must be above 0 and above the one before");
+                       "must be above 0 and above the previous one");
     }
     if (value[i] > 0.0 && value[i] <= kLargestValue) continue;
     throw InputError(fmt::format("{}[{}] of {}", of, i, what), value[i],

@@ -11,7 +11,7 @@
 namespace microslip {
 
 /// @param what    the curve, for messages: "a power density". @param of  its values: "density".
-/// @param frequency  Hz. @param value  one a frequency.
+/// @param frequency  Hz. @param value  one per frequency.
 /// @throws InputError  naming the value that breaks a rule: two points at least; frequencies above
 ///                     0 and rising; values above 0, to 1e30.
 void check_log_log_line(std::string_view what, std::string_view of,

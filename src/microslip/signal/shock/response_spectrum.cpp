@@ -60,7 +60,7 @@ class SignalExtremes {
   std::size_t count_ = 0;
 };
 
-/// z and ż of one mass, on the way.
+/// z and ż of one mass during the march.
 class Oscillator {
  public:
   Oscillator(double omega, double damping_ratio)
@@ -68,8 +68,8 @@ class Oscillator {
         damping_(damping_ratio),
         lambda_(-damping_ratio * omega, omega * std::sqrt(1.0 - damping_ratio * damping_ratio)) {}
 
-  /// Over a step in which the acceleration goes from `a` by `slope`. The particular solution is
-  /// linear in time, the rest turns with e^{λt}.
+  /// Advances over a step in which the acceleration goes from `a` with `slope`. The particular
+  /// solution is linear in time, the rest evolves with e^{λt}.
   void go(double step, double a, double slope) {
     const double square = omega_ * omega_;
     const double drift = -slope / square;
@@ -134,14 +134,14 @@ void check_shaken(std::span<const double> time, std::span<const double> accelera
                   std::span<const double> frequencies, double damping_ratio) {
   if (time.size() < 2 || acceleration.size() != time.size()) {
     throw InputError("times of a response spectrum", static_cast<double>(time.size()),
-                     "must be 2 at least, with an acceleration each");
+                     "must be at least 2, with an acceleration each");
   }
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (!std::isfinite(acceleration[i])) {
       throw InputError(fmt::format("acceleration[{}]", i), acceleration[i], "must be finite");
     }
     if (std::isfinite(time[i]) && (i == 0 || time[i] > time[i - 1])) continue;
-    throw InputError(fmt::format("time[{}]", i), time[i], "must be later than the time before it");
+    throw InputError(fmt::format("time[{}]", i), time[i], "must be later than the previous time");
   }
   for (const double f : frequencies) {
     if (std::isfinite(f) && f > 0.0) continue;

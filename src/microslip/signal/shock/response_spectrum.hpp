@@ -22,11 +22,10 @@ struct ResponseSpectrum {
 ///
 ///     z̈ + 2ζω ż + ω² z = −a(t),   ẍ = z̈ + a,   ω = 2πf
 ///
-/// from rest, over the record and a period of f after it, in which nothing acts. Each interval is
-/// gone through in closed form [Nigam & Jennings, Bull. Seism. Soc. Am. 59 (1969) 909] in steps of
-/// 1/(40f) at most; peaks between them by a parabola through three, so that they are right to some
-/// 1e-5.
-/// @param time          s; rising, two at least. @param acceleration  a, m/s²; one a time.
+/// from rest, over the record and a period of f after it without load. Each interval is solved in
+/// closed form [Nigam & Jennings, Bull. Seism. Soc. Am. 59 (1969) 909] in steps of 1/(40f) at most;
+/// peaks between them by a parabola through three, so that they are right to some 1e-5.
+/// @param time          s; rising, two at least. @param acceleration  a, m/s²; one per time.
 /// @param frequencies   f, Hz; > 0.
 /// @param damping_ratio ζ, 1; from 0, below 1. Q = 10 is 0.05.
 /// @throws InputError  naming what breaks a rule.

@@ -26,7 +26,7 @@ constexpr int kMostImprovements = 40;
 constexpr int kMostDraws = 3;
 constexpr int kMostEvaluations = kMostDraws * (kScalings + kMostImprovements);
 constexpr int kMostRejected = 8;        // steps one after the other
-constexpr int kMostSlow = 4;            // likewise, that gain less than kSlow
+constexpr int kMostSlow = 4;            // consecutive steps that gain less than kSlow
 constexpr double kSlow = 0.97;          // of the sum before
 constexpr double kLongestStep = 0.7;    // of an amplitude, relative
 constexpr double kLeastWeight = 0.1;    // of a deviation, over that of one of the tolerance
@@ -185,7 +185,7 @@ class ShockSearch {
     }
   }
 
-  /// Whether a step with a sum below that of before was found; it is taken.
+  /// Takes a step with a lower sum. @return whether one was found.
   bool step(const ShockWavelets& wavelets, const Eigen::MatrixXd& normal,
             const Eigen::VectorXd& downhill, double& damping, Trial& now) {
     for (int rejected = 0; rejected < kMostRejected; ++rejected) {
@@ -223,7 +223,7 @@ class ShockSearch {
     return worst;
   }
 
-  /// Of the base, whose acceleration is linear between the times.
+  /// Sets the motion of the base, whose acceleration is linear between the times.
   void set_motion(SynthesizedShock& shock) const {
     const double h = 1.0 / options_.sampling_rate;
     const std::vector<double>& a = shock.acceleration;
@@ -249,8 +249,8 @@ class ShockSearch {
     if (met()) return;
     summary.reason = fmt::format(
         "the spectrum lies {:.3g} dB {} the required one at {:.5g} Hz, more than the tolerance of "
-        "{:.3g} dB; one that rises by more than 12 dB an octave, falls steeply or jumps is no "
-        "spectrum of a short shock: try a longer one, another seed or a wider tolerance",
+        "{:.3g} dB; one that rises by more than 12 dB per octave, falls steeply or jumps is not "
+        "that of a short shock: try a longer one, another seed or a wider tolerance",
         std::abs(shock.worst), shock.worst < 0.0 ? "below" : "above", shock.worst_frequency,
         options_.tolerance);
   }

@@ -9,12 +9,12 @@
 #include "microslip/base/summary.hpp"
 
 /// @file
-/// A shock that has the shock response spectrum which a specification asks for.
+/// Synthesis of a shock with a required shock response spectrum.
 
 namespace microslip {
 
-/// The maximax acceleration that is asked for over the natural frequency, straight between its
-/// points in logarithms of both.
+/// The required maximax acceleration over the natural frequency, linear between its points in
+/// logarithms of both.
 struct RequiredSpectrum {
   std::vector<double> frequency;  ///< Hz; > 0, rising; 2 at least
   std::vector<double> maximax;    ///< R, m/s²; > 0
@@ -35,7 +35,7 @@ struct ShockOptions {
   std::uint64_t seed = 1;       ///< the same, the same shock
 };
 
-/// What came of it.
+/// Result of synthesize_shock().
 struct SynthesizedShock {
   std::vector<double> acceleration;  ///< at 0, h, 2h, …, to be joined by straight lines, m/s²
   std::vector<double> frequency;     ///< f of the analysis, Hz; the ends of the required one too
@@ -45,7 +45,7 @@ struct SynthesizedShock {
   double worst_frequency = 0.0;      ///< where, Hz
   double worst_between = 0.0;        ///< the same at four times as many f, dB
   double peak_velocity = 0.0;        ///< of the shaken base, from rest, m/s
-  double peak_displacement = 0.0;    ///< likewise, m
+  double peak_displacement = 0.0;    ///< of the shaken base, from rest, m
   Summary summary;                   ///< its residual is |worst| over the tolerance
 };
 
@@ -61,8 +61,8 @@ struct SynthesizedShock {
 /// steps h, by which f_k changes a little, so that this holds for the chords between the times as
 /// well. N_k is as many half-cycles as the length allows, 15 at most; t_k and the sign of A_k are
 /// drawn, most wavelets early. The |A_k| are scaled by R/S, then improved by Levenberg–Marquardt
-/// steps on Σ (lg S/R)⁴ with the times of the peaks held; where the tolerance is not met with the
-/// wavelets drawn, others are, three times at most. The best is the result.
+/// steps on Σ (lg S/R)⁴ with the times of the peaks held; where the tolerance is not met, new
+/// wavelets are drawn, three times at most. The best is the result.
 /// @param required  R(f).
 /// @param options   length and sampling rate must be given.
 /// @param progress  of the evaluations; it may end before their largest number.

@@ -94,7 +94,7 @@ ShockWavelets::Peak ShockWavelets::peak(const std::vector<double>& acceleration,
     peak.value = response;
     at = i;
   }
-  // What a unit of acceleration at each time does at that of the peak.
+  // Response at the time of the peak to a unit acceleration at each time.
   std::vector<double> share(times_, 0.0);
   const std::size_t top = std::min(at, times_ - 1);
   Complex back =

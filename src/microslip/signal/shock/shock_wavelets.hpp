@@ -8,12 +8,12 @@
 #include "microslip/algebra/core.hpp"
 
 /// @file
-/// The wavelets that a shock is made of. Internal to signal.
+/// The wavelets of a synthesised shock. Internal to signal.
 
 namespace microslip {
 
 /// sin(πi/m) sin(πNi/m), i = 0 … m, N odd: Σ w = 0 and Σ iw = 0, so that chords through it leave
-/// velocity and displacement as they were.
+/// velocity and displacement unchanged.
 struct ShockWavelet {
   std::size_t begin = 0;       ///< its first step
   std::vector<double> values;  ///< w, m + 1 of them
@@ -31,11 +31,11 @@ class ShockWavelets {
   /// Σ A_k w_k at the times 0, h, 2h, …
   [[nodiscard]] std::vector<double> sum(const Eigen::VectorXd& amplitude) const;
 
-  /// Whether the amplitude of a wavelet begins above or below 0, ±1; drawn.
+  /// Sign of the initial amplitude of each wavelet, ±1; drawn.
   [[nodiscard]] const Eigen::VectorXd& sign() const { return sign_; }
 
   /// The signed peak of the absolute acceleration of a mass under Σ A_k w_k, and its derivatives by
-  /// the A_k with the time of the peak held, by a rectangle rule.
+  /// the A_k at a fixed time of the peak, by a rectangle rule.
   struct Peak {
     double value = 0.0;
     Eigen::VectorXd derivative;

@@ -4,7 +4,7 @@ function curve = backbone(model, responses, varargin)
 %
 %   model as of microslip.frf; responses at the point, rising, m unless 'Kind' says otherwise. Options:
 %
-%     'Mode', 1               of the stuck structure
+%     'Mode', 1               mode of the stuck structure
 %     'Forcing', 'excitation' phase resonance; 'modal': the nonlinear mode
 %     'Point', 'Kind', 'Harmonics', 'Samples', 'Tolerance', 'Judge'   as of microslip.frf
 %
@@ -20,5 +20,5 @@ if nargin < 2
 end
 curve = microslip.internal.call('backbone', model, responses, microslip.internal.options(known, varargin));
 curve = microslip.internal.with_response(curve);
-microslip.internal.tell_ending(curve);
+microslip.internal.warn_if_not_converged(curve);
 end

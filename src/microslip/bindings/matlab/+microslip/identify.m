@@ -3,8 +3,8 @@ function result = identify(varargin)
 %   r = microslip.identify(amplitude, dissipation, 'Stiffness', k, ...)
 %   r = microslip.identify('levels.csv', 'Stiffness', k, ...)
 %
-%   amplitude of the joint displacement, m, and energy lost per cycle, J: one value a level. k is the stiffness of the
-%   stuck joint, N/m. Beside them, one value a level each:
+%   amplitude of the joint displacement, m, and energy lost per cycle, J: one value per level. k is the stiffness of the
+%   stuck joint, N/m. Further columns, one value per level each:
 %
 %     'AmplitudeStd', 'DissipationStd'             standard deviations, m and J
 %     'SecantStiffness', 'SecantStiffnessStd'      of the first harmonic, N/m
@@ -19,16 +19,16 @@ function result = identify(varargin)
 %     'Method', 'inversion'   or 'spline', 'differences'
 %     'Smoothing', 'gcv'      or 'lambda=X', 'p=X'; 'SmoothingUnit', 'mm' with 'p=X'
 %     'Fit', 'none'           or 'four_parameter', 'power_law', 'uniform'
-%     'LinearDamping', false  whether a loss of beta A^2 is sought, too
-%     'Atom', false           whether macro-slip is sought
+%     'LinearDamping', false  whether a loss of beta A^2 is identified as well
+%     'Atom', false           whether macro-slip is identified
 %     'Edges', true           whether the density may jump
 %     'DissipationGainStd', 'AmplitudeGainStd', 'LossFactorStd'   errors that all levels share, relative
-%     'Threads', 0            that draw; 0: one a processor
-%     'Command', text         what joint.json tells as the call
+%     'Threads', 0            for the draws; 0: one per processor
+%     'Command', text         the command recorded in joint.json
 %
 %   r has joint (see microslip.joint; microslip.write_joint writes the joint.json of the program), slip_force_N,
 %   density_per_N, lower_per_N and upper_per_N (empty without a band), covered_from_N and covered_to_N, between which the
-%   levels tell the density, linear_damping_J_per_m2 (NaN unless sought), converged, reason, summary, and
+%   levels determine the density, linear_damping_J_per_m2 (NaN unless identified), converged, reason, summary, and
 %   warnings, a struct array of code and text. microslip.plot(r) draws it. In Octave Ctrl-C stops the draws.
 %
 %   See also microslip.plot, microslip.write_joint, microslip.frf.
@@ -67,5 +67,5 @@ for i = 1:numel(columns)
 end
 result = microslip.internal.call('identify', levels, options);
 result.joint = microslip.internal.with_record(result.joint);
-microslip.internal.tell_ending(result);
+microslip.internal.warn_if_not_converged(result);
 end

@@ -10,7 +10,7 @@ function result = joint(stiffness, varargin)
 %     struct('type', 'atoms', 'slip_force_N', [3 9], 'weight', [0.2 0.1])
 %     struct('type', 'four_parameter', 'macroslip_force_N', 0.2, 'chi', -0.5, 'beta', 0)
 %
-%   They add up, to a weight of 1 at most; the last stands alone. Without a part the joint is a spring.
+%   They add up, to a weight of 1 at most; the last must be the only part. Without a part the joint is a spring.
 %   j is a struct with the fields of joint.json: schema, stiffness_N_per_m and density, a cell array of parts.
 %
 %   See also microslip.read_joint, microslip.write_joint, microslip.force, microslip.identify.

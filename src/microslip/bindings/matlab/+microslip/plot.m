@@ -14,7 +14,7 @@ function axes_used = plot(result)
 if nargin < 1 || ~isstruct(result)
   error('microslip:input', 'result must be a struct of microslip.identify, frf, backbone, loop or march');
 end
-newplot(); % not plot, which is the name of this function, too
+newplot(); % not plot, which is also the name of this function
 if isfield(result, 'density_per_N')
   draw_density(result);
 elseif isfield(result, 'frequency_Hz')

@@ -2,8 +2,8 @@ function joint = read_joint(path)
 % READ_JOINT  Reads a joint.json.
 %   j = microslip.read_joint(path)
 %
-%   j is as of microslip.joint, and where the file tells how it came to be has the fields provenance and
-%   identification, and json, the text of the file, by which microslip.write_joint writes them again.
+%   j is as of microslip.joint; where the file has them, also with the fields provenance and identification,
+%   and json, the text of the file, from which microslip.write_joint writes them again.
 %
 %   See also microslip.joint, microslip.write_joint.
 

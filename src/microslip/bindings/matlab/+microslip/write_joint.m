@@ -3,7 +3,7 @@ function write_joint(joint, path)
 %   microslip.write_joint(j, path)
 %
 %   A joint that was read or identified is written with its provenance and identification; one whose stiffness or
-%   density was changed afterwards without, as they tell of another joint.
+%   density was changed afterwards without, as they belong to another joint.
 %
 %   See also microslip.read_joint, microslip.identify.
 

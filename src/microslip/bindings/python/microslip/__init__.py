@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Friction models of jointed structures: identified from vibration measurements, and simulated.
 
-Quantities are in SI throughout: m, N, N/m, J, Hz, kg. Arrays in, arrays out; anything that
-`numpy.asarray` makes real numbers of is taken.
+Quantities are in SI throughout: m, N, N/m, J, Hz, kg. Functions take and return arrays; anything
+that `numpy.asarray` converts to real numbers is accepted.
 
 >>> import microslip
 >>> joint = microslip.Joint(1e5, [microslip.Uniform(0, 10, 1)])

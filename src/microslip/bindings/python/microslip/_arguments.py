@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What users give, as what the compiled half takes: checked here, so that each message names the
-argument as it was called."""
+"""Converts the arguments of users to those of the compiled half, checked here so that each message
+names the argument as the user knows it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from ._errors import InputError
 
-#: Anything that ``numpy.asarray`` makes real numbers of.
+#: Anything that ``numpy.asarray`` converts to real numbers.
 ArrayLike = npt.ArrayLike
 #: A float64 array.
 RealArray = npt.NDArray[np.float64]
@@ -23,12 +23,12 @@ RealArray = npt.NDArray[np.float64]
 ComplexArray = npt.NDArray[np.complex128]
 #: Called with (done, total) some ten times a second; False cancels.
 Progress = Callable[[int, int], Optional[bool]]
-#: A path of a file.
+#: The path of a file.
 Path = Union[str, "os.PathLike[str]"]
 
 
 def shown(value: object) -> str:
-    """The value in a message, in one short line."""
+    """The value as messages show it, in one short line."""
     text = " ".join(repr(value).split())
     return text if len(text) <= 60 else text[:57] + "..."
 
@@ -72,7 +72,7 @@ def not_negative(value: object, name: str) -> float:
 
 
 def whole(value: object, name: str, least: int = 0, most: int = 2**31 - 1) -> int:
-    """A whole number in a range."""
+    """An integer in a range."""
     if isinstance(value, (bool, np.bool_)):
         raise InputError(f"{name} = {value}; must be a whole number")
     try:
@@ -92,14 +92,14 @@ def flag(value: object, name: str) -> bool:
 
 
 def text(value: object, name: str) -> str:
-    """A text, not empty."""
+    """A string, not empty."""
     if not isinstance(value, str) or not value:
         raise InputError(f"{name} = {shown(value)}; must be a text")
     return value
 
 
 def one_of(value: object, name: str, choices: Sequence[str]) -> str:
-    """One of some words."""
+    """One of the choices."""
     if not isinstance(value, str) or value not in choices:
         raise InputError(f"{name} = {shown(value)}; must be one of {', '.join(choices)}")
     return value
@@ -115,10 +115,10 @@ def path(value: object, name: str) -> str:
     except (TypeError, ValueError):
         raise InputError(f"{name} = {shown(value)}; must be the path of a file") from None
     if "\0" in found:
-        raise InputError(f"{name} = {shown(value)}; must be without a character of code 0")
+        raise InputError(f"{name} = {shown(value)}; must not contain a null character")
     if found == "-":
-        raise InputError(f"{name} = '-'; must be the path of a file, for standard input and output"
-                         " are not the library's. A file of that name is './-'")  # fmt: skip
+        raise InputError(f"{name} = '-'; must be the path of a file: standard input and output"
+                         " are not available here. A file of that name is './-'")  # fmt: skip
     return found
 
 
@@ -146,7 +146,7 @@ def sequence(value: object, name: str, of: str) -> Sequence[Any]:
 
 
 def names(value: Any, name: str) -> list[str]:
-    """Some texts, of anything that has them one by one, but no text itself."""
+    """Strings, from any iterable of them except a string itself."""
     if isinstance(value, (str, bytes, Mapping)) or not isinstance(value, Iterable):
         raise InputError(f"{name} = {shown(value)}; must be a list of names")
     return [text(one, name) for one in value]
@@ -198,7 +198,7 @@ def real_array(
     per: str = "",
     empty: bool = False,
 ) -> RealArray:
-    """Finite numbers as an aligned C-contiguous float64 array; no copy of what is one."""
+    """Finite numbers as an aligned C-contiguous float64 array; copied only where needed."""
     rule = "an array of numbers"
     array = _array(value, name, "iuf", rule)
     _dimensions(array, name, ndim, empty)
@@ -213,12 +213,12 @@ def real_array(
 
 
 def optional_array(value: object, name: str, length: int, per: str) -> Optional[RealArray]:
-    """The same of what may be left out."""
+    """As `real_array`, of an argument that may be None."""
     return None if value is None else real_array(value, name, length=length, per=per)
 
 
 def broadcast(value: object, name: str, length: int, per: str) -> RealArray:
-    """One number for all, or one each."""
+    """One number for all, or one for each."""
     array = real_array(value, name, ndim=None)
     if array.ndim == 0:
         return np.full(length, real(value, name))
@@ -241,7 +241,7 @@ def real_or_complex_array(value: object, name: str) -> Union[RealArray, ComplexA
 
 
 def attributes(value: object, name: str) -> tuple[tuple[str, str], ...]:
-    """Pairs of texts, of a mapping or a list."""
+    """Pairs of strings, from a mapping or a list."""
     pairs = value.items() if isinstance(value, Mapping) else value
     try:
         found = tuple((key, content) for key, content in pairs)  # type: ignore[attr-defined]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Several joints of a structure at once, from levels of its modes."""
+"""Identifies several joints of a structure at once from levels of its modes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from ._errors import InputError
 from ._joint import Joint
 from ._plot import plot_identification
 from ._records import Estimate
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -55,20 +55,20 @@ def _measured(value: object, name: str, length: int) -> RealArray:
     array = np.asarray(value)
     gaps = array.dtype.kind == "f" and bool(np.isnan(array).any())
     whole_array = np.where(np.isnan(array), 0.0, array) if gaps else value
-    checked = real_array(whole_array, name, length=length, per="one a level")
+    checked = real_array(whole_array, name, length=length, per="one per level")
     return np.where(np.isnan(array), np.nan, checked) if gaps else checked
 
 
 @dataclass(frozen=True, eq=False)
 class JointLevels:
-    """What was measured of one joint at modal levels, NaN where it was not.
+    """Measured quantities of one joint at modal levels, NaN where not measured.
 
     Parameters
     ----------
     amplitude, amplitude_std : array_like, optional
-        Half range of its displacement, and the standard deviation of it, m, shape (n,).
+        Half range of its displacement and its standard deviation, m, shape (n,).
     dissipation, dissipation_std : array_like, optional
-        D of this joint alone, and the standard deviation of it, J per cycle, shape (n,).
+        D of this joint alone and its standard deviation, J per cycle, shape (n,).
     """
 
     amplitude: Optional[ArrayLike] = None
@@ -79,28 +79,29 @@ class JointLevels:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ModalLevels(Shown):
-    """Levels of the resonances of a structure with joints, one entry a level; NaN where something
+    """Levels of the resonances of a structure with joints, one entry per level; NaN where something
     was not measured.
 
     Parameters
     ----------
     mode : array_like of int
-        By frequency with all joints stuck, from 0, shape (n,).
+        Mode number, ordered by frequency with all joints stuck, from 0, shape (n,).
     displacement : array_like
-        First harmonic at the response point, m, shape (n,); above 0.
+        Amplitude of the first harmonic at the response point, m, shape (n,); above 0.
     displacement_std, frequency, frequency_std : array_like, optional
-        Its standard deviation, m; of the resonance at this level, Hz, and its standard deviation.
+        Standard deviation of the displacement, m; resonance frequency at this level and its
+        standard deviation, Hz.
     dissipation, dissipation_std : array_like, optional
-        Of all joints together and its standard deviation, J per cycle; or
+        D of all joints together and its standard deviation, J per cycle; or
     damping_ratio, damping_ratio_std : array_like, optional
-        zeta of structure and joints, and its standard deviation, 1; or of `joints`.
+        zeta of structure and joints and its standard deviation, 1; or the dissipation in `joints`.
     joints : mapping of str to JointLevels, optional
-        What was measured of single joints.
+        Measured quantities of single joints.
 
     Raises
     ------
     ValueError
-        Naming the column, for what is no array of n numbers.
+        Where a column is not an array of n numbers; the message names it.
     """
 
     mode: ArrayLike
@@ -131,14 +132,15 @@ class ModalLevels(Shown):
 
     @classmethod
     def read(cls, paths: Union[Path, Sequence[Path]], structure: Structure) -> ModalLevels:
-        """The levels of one or several modal_levels.csv.
+        """Reads the levels of one or several modal_levels.csv.
 
         Parameters
         ----------
         paths : path or sequence of path
-            Of the files.
+            Paths of the files.
         structure : Structure
-            Whose joints the columns name, and whose modes are numbered from 1 in the files.
+            Structure whose joints the columns name, and whose modes are numbered from 1 in the
+            files.
         """
         if not isinstance(structure, Structure):
             raise InputError(f"structure = {structure!r}; must be a microslip.Structure")
@@ -150,7 +152,7 @@ class ModalLevels(Shown):
         return cls(**found, joints=joints)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with the columns of modal_levels.csv; modes from 1, as there."""
+        """A DataFrame with the columns of modal_levels.csv; modes are numbered from 1, as there."""
         import pandas
 
         columns: dict[str, Any] = {"mode [1]": np.asarray(self.mode) + 1}
@@ -184,7 +186,7 @@ class ModalLevels(Shown):
             ("levels", str(len(self))),
             ("modes", ", ".join(map(str, modes)) + " (from 0)"),
             ("displacement", f"{si(float(u.min()), '1')} to {si(float(u.max()), 'm')}"),
-            ("joints", ", ".join(self.joints or {}) or "none by itself"),
+            ("joints", ", ".join(self.joints or {}) or "none measured singly"),
         ]
 
 
@@ -196,35 +198,35 @@ class Edge(NamedTuple):
 
 
 class JointPair(NamedTuple):
-    """Two joints that the levels tell apart, or hardly."""
+    """How well the levels distinguish two joints."""
 
     first: str
     second: str
-    correlation: float  #: of their D over the draws, median of the levels, 1
-    spread_alone: float  #: of D of the better known, relative, 1
-    spread_together: float  #: of the sum of both, relative, 1
-    known_only_together: bool  #: only the sum is to be believed
+    correlation: float  #: of their D over the draws, median over the levels, 1
+    spread_alone: float  #: of D of the better determined joint, relative, 1
+    spread_together: float  #: of the sum of both D, relative, 1
+    known_only_together: bool  #: whether only the sum of both D is determined
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class CalibratedJoint(Shown):
-    """A joint that was found.
+    """An identified joint.
 
     Attributes
     ----------
     name : str
-        In the structure.
+        Name of the joint in the structure.
     joint : Joint
-        The mean of the draws.
+        Mean of the posterior draws.
     slip_force, density, lower, upper : ndarray
         N and 1/N, shape (knots,): the density with the band that holds 95 % of the draws.
     told : ndarray
-        Share of what was not known that the levels took, 1, shape (knots,): 0 where they tell
-        nothing.
+        Variance reduction of the density, share of the prior variance that the levels removed, 1,
+        shape (knots,): 0 where they determine nothing.
     loss_told : float
-        Its loss over the standard deviation of it, 1, at the level where that is most.
+        Largest ratio over the levels of its loss to the standard deviation of that loss, 1.
     stiffness, elastic_stiffness : Estimate
-        k, and what of it does not slip within the levels, N/m.
+        k, and the part of it that does not slip within the levels, N/m.
     edges : tuple of Edge
         Slip forces at which the density jumps.
     covered_from, covered_to : float
@@ -250,7 +252,7 @@ class CalibratedJoint(Shown):
 
     @property
     def linear_damping(self) -> Optional[float]:
-        """None: a calibration seeks no loss beside slip."""
+        """None: a calibration identifies no loss other than slip."""
         return None
 
     def to_pandas(self) -> pandas.DataFrame:
@@ -276,37 +278,37 @@ class CalibratedJoint(Shown):
             ("stiffness", f"{si(k.value, 'N/m')}, {k.lower:.5g} to {k.upper:.5g}"),
             ("covered", f"{si(self.covered_from, '1')} to {si(self.covered_to, 'N')}"),
             ("elastic remainder", f"{self.joint.elastic_remainder:.4g}"),
-            ("told", f"{100 * float(self.told.max()):.3g} % of its density at most"),
+            ("variance reduction", f"up to {100 * float(self.told.max()):.3g} %"),
             ("draws", str(len(self.draws))),
         ]
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Calibration(Shown):
-    """Joints of a structure, from levels of its modes. ``calibration["lap"]`` is one of them.
+    """Joints of a structure identified from levels of its modes; ``calibration["lap"]`` is one.
 
     Attributes
     ----------
     joints : tuple of CalibratedJoint
-        Those that were sought, in the order of the structure.
+        The identified joints, in the order of the structure.
     structure : Structure
-        With these joints.
+        The structure with these joints.
     found : ndarray of bool
-        Of each level, whether the structure has the resonance, shape (n,).
+        Whether the structure has the resonance of each level, shape (n,).
     frequency, dissipation, damping_ratio : ndarray
-        Of each level as found, Hz, J and 1, shape (n,).
+        Computed values at each level, Hz, J and 1, shape (n,).
     residual, frequency_residual : ndarray
-        Of loss and frequency, over their scatter, 1, shape (n,).
+        Residuals of loss and frequency over their scatter, 1, shape (n,).
     amplitude : ndarray
-        Of each joint of the structure at each level, m, shape (n, joints).
+        Amplitude of each joint of the structure at each level, m, shape (n, joints).
     joint_dissipation : ndarray
-        Its D with the ends of the band, J, shape (n, joints, 3): value, lower, upper.
+        D of each joint with the ends of its band, J, shape (n, joints, 3): value, lower, upper.
     pairs : tuple of JointPair
-        Every two joints found.
+        One for every two identified joints.
     frequency_offset : ndarray
-        What frequencies are off by in each mode, relative, 1; NaN for modes without.
+        Offset of the frequencies of each mode, relative, 1; NaN for modes without.
     warnings : tuple of Note
-        What must be known.
+        Warnings that concern the result.
     summary : Summary
         How the method ended.
     """
@@ -330,16 +332,16 @@ class Calibration(Shown):
         for joint in self.joints:
             if joint.name == name:
                 return joint
-        raise KeyError(f"{name!r}; found are {', '.join(joint.name for joint in self.joints)}")
+        raise KeyError(f"{name!r}; must be one of {', '.join(joint.name for joint in self.joints)}")
 
     @property
     def draws(self) -> list[Optional[JointDraws]]:
-        """Of each joint of the structure, for its predictions; None of those that were known."""
+        """Draws of each joint of the structure, for its predictions; None where it was given."""
         found = {joint.name: joint.draws for joint in self.joints}
         return [found.get(joint.name or "") for joint in self.structure.joints]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with a row a level."""
+        """A DataFrame with one row per level."""
         import pandas
 
         columns: dict[str, Any] = {
@@ -355,9 +357,9 @@ class Calibration(Shown):
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         rows = [("levels", f"{int(self.found.sum())} of {len(self.found)} found")]
         for joint in self.joints:
-            told_most = 100 * float(joint.told.max())
-            rows.append((f"joint {joint.name}", f"{si(joint.stiffness.value, 'N/m')}, told to"
-                         f" {told_most:.3g} % at most"))  # fmt: skip
+            reduction = 100 * float(joint.told.max())
+            rows.append((f"joint {joint.name}", f"{si(joint.stiffness.value, 'N/m')}, variance"
+                         f" reduction up to {reduction:.3g} %"))  # fmt: skip
         return "Calibration", rows + outcome(self)
 
 
@@ -397,45 +399,50 @@ def calibrate(
     progress: Optional[Progress] = None,
     strict: bool = True,
 ) -> Calibration:
-    """The densities of several joints of a structure at once, from levels of its modes.
+    """Identifies the densities of several joints of a structure at once from levels of its modes.
 
     Parameters
     ----------
     model : Structure or path
-        Of a model.toml, whose joints to be found have ``stiffness_N_per_m`` in place of a file; or
-        the structure, whose joints to be found are springs of their k that do not slip.
+        Path of a model.toml, whose joints to be identified have ``stiffness_N_per_m`` in place of a
+        file; or the structure, whose joints to be identified are springs of their k that do not
+        slip.
     levels : ModalLevels, or path or sequence of path
-        Of modal_levels.csv; four levels or more a joint.
+        Levels, or paths of modal_levels.csv; four levels or more per joint.
     find : sequence of str, optional
-        Names of the joints to be found; of a path those that the model says, of a structure all.
+        Names of the joints to be identified; by default those that the model.toml marks, or all
+        joints of a structure.
     response : str, optional
-        The point where displacements were measured; that of the model, or the first driven point.
+        The point where displacements were measured; by default that of the model, or the first
+        driven point.
     frequency : {"change", "absolute", "ignore"}
-        What frequencies count for: their change over the levels of each mode, themselves, nothing.
+        What is used of frequencies: their change over the levels of each mode, their values, or
+        nothing.
     fit_stiffness : bool
-        Whether to find k as well, which needs ``frequency="absolute"``.
+        Whether to identify k as well, which needs ``frequency="absolute"``.
     shapes : {"found", "stuck"}
-        Displacements of the joints: of the structure with the joints found, or for comparison of
-        the stuck one.
+        Displacements of the joints: of the structure with the identified joints, or for comparison
+        of the stuck structure.
     edges : bool
         Whether to seek slip forces at which a density jumps.
     modal_forcing : bool
-        Whether nothing drove the levels, as in a free decay; else the excitation at resonance.
+        Whether the levels were not driven, as in a free decay; else the excitation drove them at
+        resonance.
     harmonics : int
-        Of the vibrations; 1 to 100.
+        Number of harmonics of the vibrations; 1 to 100.
     samples : int
-        Draws; 100 to 100000.
+        Number of posterior draws; 100 to 100000.
     seed : int
-        Of the draws.
+        Seed of the draws.
     out : path, optional
-        A folder that gets the files of ``microslip calibrate``: the joints, the model with them,
-        tables; where `model` and `levels` are paths.
+        Folder for the files of ``microslip calibrate``: the joints, the model with them, tables;
+        only where `model` and `levels` are paths.
     keep_samples : bool
-        Whether the draws go there, too.
+        Whether to write the draws there as well.
     progress : callable, optional
         Called with (done, total); False cancels.
     strict : bool
-        Whether to raise where the method does not converge; without it a warning is issued.
+        Whether to raise where the method does not converge; otherwise a warning is issued.
 
     Returns
     -------
@@ -444,9 +451,9 @@ def calibrate(
     Raises
     ------
     ValueError
-        Naming joint, level or argument that breaks a rule.
+        Where a joint, level or argument breaks a rule; the message names it.
     NotConverged
-        With the result as far as it got.
+        Where the method does not converge; holds the result up to there.
     """
     options = {
         "frequency": one_of(frequency, "frequency", ("change", "absolute", "ignore")),
@@ -466,7 +473,7 @@ def calibrate(
             if value is not None:
                 raise InputError(f"{name} is given with out; must be in the model.toml")
         if not _is_path(model) or not _all_paths(levels):
-            raise InputError("out is given with arrays; must be without, or model and levels be paths")
+            raise InputError("out is given with arrays; needs model and levels as paths")
         found = _core.calibrate_files(
             path_of(model, "model"), _paths(levels, "levels"), path_of(out, "out"),
             keep_samples, options, "microslip.calibrate", listener,
@@ -478,7 +485,7 @@ def calibrate(
         measured = levels if isinstance(levels, ModalLevels) else ModalLevels.read(levels, structure)
         found = _core.calibrate(structure._core, sought, at, measured._dict(), options,
                                 "microslip.calibrate", listener)  # fmt: skip
-    return told(_calibration_of(found, structure), strict)
+    return reported(_calibration_of(found, structure), strict)
 
 
 def _to_find(model: Any) -> tuple[Structure, str, list[int]]:

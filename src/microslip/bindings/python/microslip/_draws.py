@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws of a joint: joints that measurements leave possible."""
+"""Posterior draws of a joint."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from ._results import Shown, si
 
 
 class JointDraws(Shown):
-    """Joints that measurements leave possible, each as likely as any other.
+    """Posterior draws of a joint: joints that agree with the measurements, each equally likely.
 
     ``len(draws)`` is their number, ``draws[i]`` the joint of draw i, with its
-    own linear damping where that was sought (`IdentifiedJoint`), ``draws[:20]`` a list.
+    own linear damping where that was identified (`IdentifiedJoint`), ``draws[:20]`` a list.
     """
 
     __slots__ = ("_core",)
@@ -35,7 +35,7 @@ class JointDraws(Shown):
 
     @classmethod
     def read(cls, path: Path) -> JointDraws:
-        """The draws of a joint_samples.h5."""
+        """Reads the draws of a joint_samples.h5."""
         return cls._of(_core.read_draws(path_of(path, "path")))
 
     def write(self, path: Path) -> None:
@@ -82,7 +82,7 @@ class JointDraws(Shown):
 
     @property
     def linear_damping(self) -> RealArray:
-        """beta of each draw, J/m**2; empty where it was not sought."""
+        """beta of each draw, J/m**2; empty where it was not identified."""
         return self._core.linear_damping
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -7,15 +7,15 @@ from typing import Any
 
 
 class Error(Exception):
-    """Base of all errors that microslip raises on purpose."""
+    """Base class of all errors of microslip."""
 
 
 class InputError(Error, ValueError):
-    """A value that was given breaks a rule: "what = value; rule. remedy"."""
+    """A given value breaks a rule: "what = value; rule. remedy"."""
 
 
 class FormatError(Error, ValueError):
-    """A file does not have the form it must have: "place: expected …, found …. remedy"."""
+    """A file does not have the required format: "place: expected …, found …. remedy"."""
 
 
 class FileError(Error, OSError):
@@ -23,16 +23,16 @@ class FileError(Error, OSError):
 
 
 class Cancelled(Error):
-    """The progress callback returned False. Nothing is left behind."""
+    """The progress callback returned False. No files are left behind."""
 
 
 class NotConverged(Error):
-    """A method ended without meeting its stopping rule.
+    """A method ended before its stopping criterion was met.
 
     Attributes
     ----------
     result
-        What was found until then, the same object as with ``strict=False``.
+        The result up to there, the same object as with ``strict=False``.
     """
 
     def __init__(self, text: str, result: Any) -> None:
@@ -44,4 +44,4 @@ class NotConverged(Error):
 
 
 class MicroslipWarning(UserWarning):
-    """Something in the data or in a result that its user must know of: "code: text"."""
+    """A warning that concerns data or a result: "code: text"."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The force of a joint in steady vibration, for harmonic balance of one's own."""
+"""The force of a joint in steady vibration, for the user's own harmonic balance."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ class HarmonicForce:
     harmonics : int
         H, from 1 to 1000.
     samples : int
-        Of a cycle, from 2 H + 2 to 1e6. What they leave falls with their fourth power, with their
+        Samples per cycle, from 2 H + 2 to 1e6. The error falls with their fourth power, with their
         third where the density jumps.
 
     Raises
     ------
     ValueError
-        Naming the one out of its range.
+        Where a value is out of its range; the message names it.
 
     Examples
     --------
@@ -68,21 +68,22 @@ class HarmonicForce:
         Parameters
         ----------
         joint : Joint
-            Any.
+            Any joint.
         displacement : array_like
             x_0 to x_H, m, shape (H + 1,); complex, x_0 real.
 
         Returns
         -------
         HarmonicResponse
-            Its jacobian but for terms of the order of samples**-3 where the density jumps.
+            The jacobian is exact except for terms of the order of samples**-3 where the density
+            jumps.
         """
         if not isinstance(joint, Joint):
             raise InputError(f"joint = {shown(joint)}; must be a microslip.Joint")
         x = complex_array(displacement, "displacement")
         if len(x) != self.harmonics + 1:
             raise InputError(f"displacement has {len(x)} numbers; must have {self.harmonics + 1},"
-                             " the mean and one a harmonic")  # fmt: skip
+                             " the mean and one per harmonic")  # fmt: skip
         if x[0].imag != 0.0:
             raise InputError(f"displacement[0] = {x[0]}; must be real, the mean")
         force, derivative, lowest, highest, reversals = self._core.evaluate(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""From levels to a joint."""
+"""Identifies a joint from levels."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from ._errors import InputError
 from ._joint import Joint
 from ._levels import Levels
 from ._plot import plot_identification
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
 
 if TYPE_CHECKING:
     import pandas
@@ -37,47 +37,47 @@ class Parameter(NamedTuple):
     """A fitted parameter of a parametric model."""
 
     name: str  #: as in joint.json
-    unit: str  #: of value and error
+    unit: str  #: unit of value and error
     value: float
-    standard_error: float  #: 0 where a bound holds the value
-    at_bound: bool  #: the best value lies at the end of the admissible range
+    standard_error: float  #: 0 where the value is at a bound
+    at_bound: bool  #: whether the best value lies at the end of the admissible range
 
 
 class Verdict(NamedTuple):
-    """Whether levels do what no joint of the kind does that is sought."""
+    """Result of a check of one assumption about the joint."""
 
-    departure: str  #: that was looked for, ``order_matters`` for instance
-    share: float  #: of D, k_eq or the frequency, 1
-    noise: float  #: what of it noise would make, 1
-    broken: bool  #: whether it is there
+    departure: str  #: code of the departure sought, for instance ``order_matters``
+    share: float  #: size of the departure over D, k_eq or the frequency, 1
+    noise: float  #: the share that noise alone would make, 1
+    broken: bool  #: whether the check failed
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Identification(Shown):
-    """A joint from levels, and what its user must know of it.
+    """A joint identified from levels, with its diagnostics.
 
     Attributes
     ----------
     joint : Joint
-        The identified density, or the parametric model that was asked for.
+        The identified density, or the requested parametric model.
     method : str
-        That was used.
+        The method that was used.
     covered_from, covered_to : float
-        kA of the lowest and the highest level, N: the data tell of slip forces between.
+        kA of the lowest and the highest level, N: the data determine the density between them.
     slip_force, density : ndarray
         N and 1/N, shape (points,): of `joint`, for plots.
     lower, upper : ndarray or None
-        1/N: the band that holds 95 % of the draws, point by point; None without draws.
+        1/N: pointwise band of 95 % of the draws; None without draws.
     linear_damping : float or None
-        beta of a loss beta*A**2 beside slip, J/m**2; None where it was not sought.
+        beta of a loss beta*A**2 in addition to slip, J/m**2; None where it was not identified.
     draws : JointDraws or None
-        What else the levels leave possible; None without `samples`.
+        Posterior draws; None without `samples`.
     parameters : tuple of Parameter
-        Of a parametric model.
+        Parameters of a parametric model.
     verdicts : tuple of Verdict
-        Whether the levels are those of such a joint.
+        Checks of the assumptions about the joint.
     warnings : tuple of Note
-        What must be known; docs/file_formats.md explains the codes under joint.json.
+        Warnings; docs/file_formats.md explains their codes under joint.json.
     summary : Summary
         How the method ended.
     """
@@ -99,7 +99,7 @@ class Identification(Shown):
     _json: str
 
     def write(self, path: Path) -> None:
-        """Writes a joint.json, as the program does: with how it came to be, the range covered, the
+        """Writes a joint.json, as the program does: with its provenance, the range covered, the
         band and the warnings."""
         _core.write_file(path_of(path, "path"), self._json.encode())
 
@@ -178,12 +178,12 @@ def identify(
     progress: Optional[Progress] = None,
     strict: bool = True,
 ) -> Identification:
-    """The joint that dissipates as was measured.
+    """Identifies the joint whose dissipation was measured.
 
     Parameters
     ----------
     amplitude : array_like, Levels or DataFrame
-        A of the joint displacement, m, shape (n,); or a whole table, see `Levels.of`.
+        A of the joint displacement, m, shape (n,); or a table of levels, see `Levels.of`.
     dissipation : array_like
         D, J per cycle, shape (n,); left out with a table.
     stiffness : float
@@ -192,12 +192,12 @@ def identify(
     linear_dissipation, frequency, frequency_std : array_like, optional
         As of `Levels`.
     method : {"inversion", "spline", "differences"}
-        Identification method of the density.
+        Method by which the density is identified.
     smoothing, smoothing_unit : str
-        ``"gcv"`` chooses; ``"lambda=X"``; ``"p=X"`` of csaps (spline only), with the unit of the
-        amplitude that it belongs to: ``"um"``, ``"mm"``, ``"m"``.
+        ``"gcv"``: chosen automatically; ``"lambda=X"``; ``"p=X"`` of csaps (spline only), with the
+        unit of the amplitude that it applies to: ``"um"``, ``"mm"``, ``"m"``.
     linear_damping : bool
-        Whether D holds a linear damping beta*A**2 that is to be found as well.
+        Whether D contains a linear damping beta*A**2 that is to be identified as well.
     atom : bool
         Whether to seek an atom of the density where macro-slip begins.
     edges : bool
@@ -205,16 +205,16 @@ def identify(
     fit : {"four_parameter", "power_law", "uniform"}, optional
         A parametric model in place of the free density.
     samples : int
-        Draws from all densities that the levels leave possible, and of the band; 0: none, else 20
-        or more. 1000 give a smooth band.
+        Number of posterior draws, also for the band; 0: none, else 20 or more. 1000 give a smooth
+        band.
     seed : int
-        Of the draws.
+        Seed of the draws.
     dissipation_gain_std, amplitude_gain_std, loss_factor_std : float
         Relative standard deviations of errors that all levels share, 1; below 0.3.
     progress : callable, optional
         Called with (done, total) of the draws; False cancels.
     strict : bool
-        Whether to raise where the method does not converge; without it a warning is issued.
+        Whether to raise where the method does not converge; otherwise a warning is issued.
 
     Returns
     -------
@@ -223,9 +223,9 @@ def identify(
     Raises
     ------
     ValueError
-        Naming the argument that breaks a rule.
+        Where an argument breaks a rule; the message names it.
     NotConverged
-        With the result as far as it got.
+        Where the method does not converge; holds the result up to there.
 
     Examples
     --------
@@ -268,7 +268,7 @@ def identify(
         levels._columns(), positive(stiffness, "stiffness"), options, "microslip.identify",
         [(note.code, note.text) for note in levels._notes], progress_of(progress),
     )  # fmt: skip
-    return told(_identification_of(found), strict)
+    return reported(_identification_of(found), strict)
 
 
 def _identification_of(found: dict[str, Any]) -> Identification:

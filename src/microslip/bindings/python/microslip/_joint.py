@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Densities, joints and what a joint remembers."""
+"""Densities, joints and the memory of joints."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class _Arrays:
             np.array_equal(getattr(self, name), getattr(other, name)) for name in self._names
         )
 
-    def __hash__(self) -> int:  # the same of whole and real numbers, and of 0 and -0
+    def __hash__(self) -> int:  # equal for integers and floats, and for 0 and -0
         numbers = (np.asarray(getattr(self, name), np.float64) for name in self._names)
         return hash(tuple((array + 0.0).tobytes() for array in numbers))
 
@@ -104,9 +104,9 @@ class PiecewiseLinear(_Arrays):
     Parameters
     ----------
     slip_force : array_like
-        N; two at least, 0 or more, rising.
+        Slip forces of the knots, N; two at least, 0 or more, rising.
     density : array_like
-        1/N; one a knot, 0 or more.
+        1/N; one per knot, 0 or more.
     """
 
     slip_force: ArrayLike
@@ -126,7 +126,7 @@ class Atoms(_Arrays):
     slip_force : array_like
         N; above 0.
     weight : array_like
-        Share of the stiffness, 1; one an atom, 0 or more.
+        Share of the stiffness, 1; one per atom, 0 or more.
     """
 
     slip_force: ArrayLike
@@ -139,7 +139,7 @@ class Atoms(_Arrays):
 
 @dataclass(frozen=True)
 class FourParameter:
-    """Segalman's four-parameter density, J. Appl. Mech. 72 (2005) 752. It stands alone.
+    """Segalman's four-parameter density, J. Appl. Mech. 72 (2005) 752. It must be the only part.
 
     Parameters
     ----------
@@ -178,13 +178,13 @@ class Moments(NamedTuple):
 
 
 class Response(NamedTuple):
-    """What a step of a joint leads to."""
+    """Force and tangent stiffness of a joint after a step."""
 
     force: float  #: N
     tangent: float  #: df/dx in the direction of the step, N/m
 
 
-#: What a number mostly is: it needs no array.
+#: The usual types of a scalar, for which no array is made.
 _NUMBERS = frozenset((float, int, np.float64))
 
 
@@ -196,8 +196,8 @@ class Joint(Shown):
     stiffness : float
         k of the stuck joint, N/m; above 0.
     density : sequence of parts
-        `Uniform`, `PowerLaw`, `PiecewiseLinear`, `Atoms`, `FourParameter`. They add up; what is
-        missing to a total weight of 1 is an elastic remainder, which never slips.
+        `Uniform`, `PowerLaw`, `PiecewiseLinear`, `Atoms`, `FourParameter`, which add up. The
+        elastic remainder, which never slips, makes their total weight 1.
 
     Raises
     ------
@@ -242,21 +242,21 @@ class Joint(Shown):
 
     @classmethod
     def read(cls, path: Path) -> Joint:
-        """The joint of a joint.json.
+        """Reads the joint of a joint.json.
 
-        A joint is F(u) alone. Where the file has an identification that found a linear damping
-        beside it, a warning says so: `IdentifiedJoint.read` keeps it.
+        A joint is F(u) alone. Where the file also has an identified linear damping, a warning is
+        issued: `IdentifiedJoint.read` keeps it.
 
         Raises
         ------
         FileError, FormatError, ValueError
-            Where it cannot be read, or is no joint.
+            Where the file cannot be read, or is not a joint.
         """
         found = IdentifiedJoint.read(path)
         if found.linear_damping:
             warn(
                 f"linear_damping: {path_of(path, 'path')} has a linear damping of"
-                f" {found.linear_damping:.4g} J/m^2 beside slip, which a Joint does not hold."
+                f" {found.linear_damping:.4g} J/m^2, which a Joint does not contain."
                 " IdentifiedJoint.read keeps it for predictions."
             )
         return found.joint
@@ -278,12 +278,12 @@ class Joint(Shown):
 
     @property
     def macroslip_force(self) -> float:
-        """The largest force that the sliders carry, N. [AR14 (1)]"""
+        """Force at macro-slip, the largest that the sliders carry, N. [AR14 (1)]"""
         return self._core.macroslip_force
 
     @property
     def macroslip_displacement(self) -> float:
-        """Where every slider has slipped, m; infinite with an elastic remainder."""
+        """Displacement at which every slider has slipped, m; infinite with an elastic remainder."""
         return self._core.macroslip_displacement
 
     @property
@@ -292,7 +292,7 @@ class Joint(Shown):
         return self._core.elastic_remainder
 
     def density_at(self, slip_force: ArrayLike) -> Any:
-        """phi without its atoms, 1/N.
+        """The density phi without its atoms, 1/N.
 
         Parameters
         ----------
@@ -302,12 +302,12 @@ class Joint(Shown):
         Returns
         -------
         float or ndarray
-            As `slip_force`.
+            In the shape of `slip_force`.
         """
         return self._each(self._core.density, slip_force, "slip_force")
 
     def moments(self, slip_force: float = np.inf) -> Moments:
-        """Partial moments up to a slip force, N, its atoms included; of all without one."""
+        """Partial moments up to a slip force, N, with its atoms; of the whole density without."""
         limit = float(slip_force) if slip_force == np.inf else real(slip_force, "slip_force")
         return Moments(*self._core.moments(limit))
 
@@ -326,7 +326,7 @@ class Joint(Shown):
         Returns
         -------
         float or ndarray
-            As `displacement`.
+            In the shape of `displacement`.
         """
         if type(displacement) is float and displacement - displacement == 0.0:
             return self._core.force(displacement)
@@ -337,7 +337,7 @@ class Joint(Shown):
         return self._each(self._core.tangent, displacement, "displacement")
 
     def dissipation(self, amplitude: ArrayLike) -> Any:
-        """D(A), J a cycle of amplitude A [m], 0 or more; shapes as of `force`. [AR14 (7)]"""
+        """D(A), J per cycle of amplitude A [m], 0 or more; shapes as of `force`. [AR14 (7)]"""
         return self._each(self._core.dissipation, amplitude, "amplitude")
 
     def secant_stiffness(self, amplitude: ArrayLike) -> Any:
@@ -345,7 +345,7 @@ class Joint(Shown):
         return self._each(self._core.secant_stiffness, amplitude, "amplitude")
 
     def loss_factor(self, amplitude: ArrayLike) -> Any:
-        """D/(pi k_eq A**2), 1; shapes as of `force`."""
+        """Loss factor D/(pi k_eq A**2), 1; shapes as of `force`."""
         return self._each(self._core.loss_factor, amplitude, "amplitude")
 
     def loop(
@@ -356,7 +356,7 @@ class Joint(Shown):
         law: str = "incremental",
         elements: int = 1000,
     ) -> RealArray:
-        """The force along a path, from the virgin state at 0.
+        """The force along a path that starts from the virgin state at 0.
 
         Parameters
         ----------
@@ -364,11 +364,11 @@ class Joint(Shown):
             x, m, shape (n,).
         normal_load : array_like, optional
             p(t) = P_N/P_0, 1, shape (n,); 0 or more. [AR14 App. B] Without it the memory of the
-            joint is exact, with it `elements` Jenkins elements stand for the joint.
+            joint is exact, with it the joint is represented by `elements` Jenkins elements.
         law : {"incremental", "total"}
-            How stuck elements answer a change of the load.
+            How the force of stuck elements follows a change of the load.
         elements : int
-            1 or more.
+            Number of Jenkins elements, 1 or more.
 
         Returns
         -------
@@ -380,15 +380,15 @@ class Joint(Shown):
         count = whole(elements, "elements", 1)
         if normal_load is None:
             return self.memory().march(path)
-        load = real_array(normal_load, "normal_load", length=len(path), per="one a displacement")
+        load = real_array(normal_load, "normal_load", length=len(path), per="one per displacement")
         return _core.march_under_load(self._core, path, load, count, law)
 
     def memory(self) -> Memory:
-        """The state of a simulation of this joint, virgin."""
+        """A new memory of this joint, in the virgin state."""
         return Memory(self)
 
     def with_normal_load(self, scale: float) -> Joint:
-        """The joint under another constant normal load, `scale` times the given one."""
+        """The joint under another constant normal load, `scale` times its present one."""
         return Joint._of(self._core.with_normal_load(positive(scale, "scale")))
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
@@ -433,14 +433,14 @@ class Joint(Shown):
 
 
 class IdentifiedJoint(Joint):
-    """A joint with what its identification found beside it, for predictions.
+    """A joint with the linear damping and the range covered of its identification, for predictions.
 
     Parameters
     ----------
     joint : Joint
         F(u).
     linear_damping : float, optional
-        beta of a loss beta*A**2 beside slip, J/m**2; 0 or more.
+        beta of a loss beta*A**2 in addition to slip, J/m**2; 0 or more.
     covered_to : float, optional
         kA of the highest level, N: predictions that go beyond warn.
     """
@@ -468,12 +468,12 @@ class IdentifiedJoint(Joint):
 
     @classmethod
     def read(cls, path: Path) -> IdentifiedJoint:
-        """The joint of a joint.json with what it says of the identification.
+        """Reads the joint of a joint.json with the results of its identification.
 
         Raises
         ------
         FileError, FormatError, ValueError
-            Where it cannot be read, or is no joint.
+            Where the file cannot be read, or is not a joint.
         """
         core, linear_damping, covered_to = _core.read_joint(path_of(path, "path"))
         return IdentifiedJoint(Joint._of(core), linear_damping, covered_to)
@@ -491,7 +491,7 @@ class IdentifiedJoint(Joint):
 
 
 class Identified(Protocol):
-    """What an identification is, too."""
+    """Protocol of identifications, which are taken as joints."""
 
     @property
     def joint(self) -> Joint: ...
@@ -501,12 +501,12 @@ class Identified(Protocol):
     def covered_to(self) -> Optional[float]: ...
 
 
-#: A joint by itself, or with what its identification found.
+#: A joint, or an identification.
 AnyJoint = Union[Joint, Identified]
 
 
 def identified(joint: object, name: str) -> IdentifiedJoint:
-    """Any of these as the second."""
+    """A joint or an identification as an `IdentifiedJoint`."""
     if isinstance(joint, IdentifiedJoint):
         return joint
     if isinstance(joint, Joint):
@@ -520,15 +520,15 @@ def identified(joint: object, name: str) -> IdentifiedJoint:
 
 
 class Memory:
-    """What a joint remembers of its displacement history, exactly: Madelung's rules.
+    """The exact memory of a joint: the reversals of its displacement history, by Madelung's rules.
 
     `trial` evaluates a step without taking it and `advance` takes it, so that an implicit
-    integrator tries as many as it likes. A copy (`copy.copy`, or `copy`) is a snapshot.
+    integrator may try any number of steps. A copy (`copy.copy`, or `copy`) is a snapshot.
 
     Parameters
     ----------
     joint : Joint
-        Whose state it is. It starts virgin, at rest at 0.
+        The joint; it starts in the virgin state at 0.
 
     Examples
     --------
@@ -553,17 +553,17 @@ class Memory:
 
     @property
     def displacement(self) -> float:
-        """Where the joint stands, m."""
+        """Present displacement, m."""
         return self._core.displacement
 
     @property
     def force(self) -> float:
-        """The force there, N."""
+        """Present force, N."""
         return self._core.force
 
     @property
     def reversals(self) -> RealArray:
-        """Displacement [m] and force [N] of the reversals that still matter, oldest first; shape
+        """Displacement [m] and force [N] of the reversals in memory, oldest first; shape
         (n, 2)."""
         return self._core.reversals()
 
@@ -572,25 +572,25 @@ class Memory:
         return Response(*self._core.trial(real(displacement, "displacement")))
 
     def advance(self, displacement: float) -> float:
-        """Takes the step to `displacement` [m]. Returns the force there, N."""
+        """Takes a step to `displacement` [m]. Returns the force there, N."""
         return self._core.advance(real(displacement, "displacement"))
 
     def dissipation(self, displacement: float) -> float:
-        """What the sliders would take in a step to `displacement` [m], J."""
+        """Energy that the sliders would dissipate in a step to `displacement` [m], J."""
         return self._core.dissipation(real(displacement, "displacement"))
 
     def stored_energy(self) -> float:
-        """What the springs of all elements hold, J."""
+        """Energy stored in the springs of all elements, J."""
         return self._core.stored_energy()
 
     def march(self, displacement: ArrayLike) -> RealArray:
         """Takes a step to each displacement [m] in turn. Returns the forces, N, shape (n,)."""
         if type(displacement) is np.ndarray and _plain(displacement):
-            return self._core.march(displacement)  # it looks for what is not finite itself
+            return self._core.march(displacement)  # it checks itself that numbers are finite
         return self._core.march(real_array(displacement, "displacement"))
 
     def reset(self) -> None:
-        """Back to the virgin state at 0."""
+        """Returns to the virgin state at 0."""
         self._core.reset()
 
     def copy(self) -> Memory:
@@ -617,14 +617,14 @@ class Memory:
 
 
 def _plain(array: RealArray) -> bool:
-    """Whether the compiled half takes it as it is."""
+    """Whether the compiled half takes the value as it is."""
     flags = array.flags
     return (array.dtype == np.float64 and array.ndim == 1 and array.size > 0 and flags.c_contiguous
             and flags.aligned)  # fmt: skip
 
 
 def _memory_after(joint: Joint, path: RealArray) -> Memory:
-    """The same state by the path over the reversals that it remembers."""
+    """Restores a state by the path over the reversals in its memory."""
     memory = Memory(joint)
     if len(path) > 1 or path[0] != 0.0:
         memory.march(path)

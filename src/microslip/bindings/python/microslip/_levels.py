@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Levels: what was measured of a joint at rising amplitude."""
+"""Levels: measured quantities of a joint at rising amplitude."""
 
 from __future__ import annotations
 
@@ -34,16 +34,16 @@ _UNITS = {
     "frequency": "Hz",
     "frequency_std": "Hz",
 }
-#: What columns of a table say of levels beside numbers that are identified from.
-_SAID = ("reversals", "flags", "assembly")
+#: Columns of a table that qualify levels, in addition to the measured quantities.
+_QUALIFIERS = ("reversals", "flags", "assembly")
 _FREQUENCIES = ("frequency", "frequency_std")
 _HEADER = re.compile(r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\))?\s*")
-_EACH = "one an amplitude"
+_EACH = "one per amplitude"
 
 
 @dataclass(frozen=True, init=False, repr=False, eq=False)
 class Levels(Shown):
-    """One entry a level of vibration. Immutable: arrays are copied, and read-only.
+    """One entry per level of vibration. Immutable: arrays are copied, and read-only.
 
     Parameters
     ----------
@@ -56,14 +56,14 @@ class Levels(Shown):
     secant_stiffness, secant_stiffness_std : array_like, optional
         k_eq of the first harmonic and its standard deviation, N/m, shape (n,).
     linear_dissipation : array_like, optional
-        Linear loss that was taken from the input energy to get D, J, shape (n,).
+        Linear loss that was subtracted from the input energy to get D, J, shape (n,).
     frequency, frequency_std : array_like, optional
-        Of the resonance at the level and its standard deviation, Hz, shape (n,).
+        Resonance frequency at the level and its standard deviation, Hz, shape (n,).
 
     Raises
     ------
     ValueError
-        Naming the column, for what is no array of n finite numbers.
+        Where a column is not an array of n finite numbers; the message names it.
     """
 
     amplitude: RealArray
@@ -109,22 +109,22 @@ class Levels(Shown):
     @classmethod
     def read(cls, path: Path, *, use_inner_reversals: bool = False,
              assemblies: Optional[str] = None) -> Levels:  # fmt: skip
-        """The levels of a levels.csv, see docs/file_formats.md.
+        """Reads the levels of a levels.csv, see docs/file_formats.md.
 
         Parameters
         ----------
         path : path-like
-            Of the file.
+            Path of the file.
         use_inner_reversals : bool
-            Whether to take levels whose joint turns more than twice a cycle (column ``reversals``):
-            their D is not that of one loop. Without it they are left out, and a warning says so.
+            Whether to take levels with more than two reversals per cycle (column ``reversals``),
+            whose D is not that of one loop. Otherwise they are left out with a warning.
         assemblies : {"none"}, optional
-            Says that all levels are of one joint although a column ``assembly`` names several.
+            States that all levels are of one joint although a column ``assembly`` names several.
 
         Raises
         ------
         FileError, FormatError, ValueError
-            Where it cannot be read, or a cell breaks its rule.
+            Where the file cannot be read, or a cell breaks its rule.
         """
         if assemblies is not None:
             one_of(assemblies, "assemblies", ("none",))
@@ -144,22 +144,22 @@ class Levels(Shown):
     @classmethod
     def of(cls, table: Any, *, use_inner_reversals: bool = False,
            assemblies: Optional[str] = None) -> Levels:  # fmt: skip
-        """Levels of a pandas frame or a mapping, by the rules of `read`.
+        """Levels from a pandas frame or a mapping, by the rules of `read`.
 
         Parameters
         ----------
         table : DataFrame or mapping
             With columns ``amplitude`` and ``dissipation``, and others as of the class. A unit may
-            stand behind a name as in levels.csv, ``amplitude [m]``; another than SI is refused.
-            ``reversals``, ``flags`` and ``assembly`` mean what they mean there. Other columns may
-            hold anything, unless their names look like mistakes: ``dissipation_sd``.
+            follow a name as in levels.csv, ``amplitude [m]``; other units than SI are refused.
+            ``reversals``, ``flags`` and ``assembly`` have the same meaning as there. Other columns
+            are ignored, unless their names look like mistakes: ``dissipation_sd``.
         use_inner_reversals, assemblies
             As of `read`.
 
         Raises
         ------
         ValueError
-            Naming the column.
+            Where a column is missing or breaks a rule; the message names it.
         """
         flag(use_inner_reversals, "use_inner_reversals")
         if assemblies is not None:
@@ -172,10 +172,10 @@ class Levels(Shown):
         for needed in ("amplitude", "dissipation"):
             if needed not in columns:
                 raise InputError(f"{needed} is missing; must be a column of the table")
-        said = {name: columns.pop(name, None) for name in _SAID}
-        if assemblies is None and said["assembly"] is not None:
-            _check_one_assembly(said["assembly"])
-        return _usable(cls(**columns), said, use_inner_reversals)
+        qualifiers = {name: columns.pop(name, None) for name in _QUALIFIERS}
+        if assemblies is None and qualifiers["assembly"] is not None:
+            _check_one_assembly(qualifiers["assembly"])
+        return _usable(cls(**columns), qualifiers, use_inner_reversals)
 
     def to_pandas(self) -> pandas.DataFrame:
         """A DataFrame with the columns of levels.csv."""
@@ -214,7 +214,7 @@ class Levels(Shown):
 
 
 def _columns_of(table: Any) -> dict[str, Any]:
-    """What counts of a table, by names without units."""
+    """The columns of a table that are used, by names without units."""
     named = [(key, *_name_and_unit(str(key))) for key in table.keys()]
     resonance = any(name == "resonance_frequency" for _, name, _ in named)
     columns: dict[str, Any] = {}
@@ -224,7 +224,7 @@ def _columns_of(table: Any) -> dict[str, Any]:
             continue  # of the drive
         if name.removeprefix("resonance_") in _FREQUENCIES:
             name = name.removeprefix("resonance_")
-        if name not in _UNITS and name not in _SAID:
+        if name not in _UNITS and name not in _QUALIFIERS:
             _check_no_mistake(str(key), name)
             continue
         if name in keys:
@@ -240,20 +240,20 @@ def _columns_of(table: Any) -> dict[str, Any]:
 
 
 def _name_and_unit(key: str) -> tuple[str, str]:
-    """``amplitude [m]`` and ``amplitude (m)`` in two."""
+    """Splits ``amplitude [m]`` or ``amplitude (m)`` into name and unit."""
     found = _HEADER.fullmatch(key)
     return (found[1], found[2] or found[3] or "") if found else (key, "")
 
 
 def _check_no_mistake(key: str, name: str) -> None:
-    """A column that is left alone must not be one whose name was mistyped."""
-    known = [*_UNITS, *_SAID]
+    """Refuses an ignored column whose name looks mistyped."""
+    known = [*_UNITS, *_QUALIFIERS]
     plain = name.strip().lower().replace(" ", "_")
     near = get_close_matches(plain, known, 1, 0.8)
     near = near or [stem for stem in known if re.match(rf"{stem}(?![a-z])", plain)]
     if near:
-        raise InputError(f"{key} is no column of levels; must be {near[0]}, or have a name that is"
-                         " not so like one. Columns are"
+        raise InputError(f"{key} is no column of levels; did you mean {near[0]}? Else rename it."
+                         " Columns are"
                          f" {', '.join(known)}")  # fmt: skip
 
 
@@ -261,20 +261,20 @@ def _check_one_assembly(assembly: Any) -> None:
     found = dict.fromkeys(str(name) for name in assembly)
     if len(found) > 1:
         raise InputError(f"assembly has {len(found)} names, {', '.join(found)}; must be one. Keep the"
-                         " rows of one, or say assemblies='none' where all levels are of one"
+                         " rows of one, or give assemblies='none' where all levels are of one"
                          " joint")  # fmt: skip
 
 
-def _usable(levels: Levels, said: dict[str, Any], use_inner_reversals: bool) -> Levels:
-    """Without levels whose D is not that of one loop [AR14 (7)]; warns of them, and of flags."""
+def _usable(levels: Levels, qualifiers: dict[str, Any], use_inner_reversals: bool) -> Levels:
+    """Drops levels whose D is not that of one loop [AR14 (7)]; warns of them and of flags."""
     count = len(levels)
-    turns = optional_array(said["reversals"], "reversals", count, _EACH)
+    turns = optional_array(qualifiers["reversals"], "reversals", count, _EACH)
     inner = np.zeros(count, dtype=bool) if turns is None else turns > 2.0
-    flags = [] if said["flags"] is None else list(said["flags"])
+    flags = [] if qualifiers["flags"] is None else list(qualifiers["flags"])
     if inner.any() and not use_inner_reversals:
         if inner.all():
             raise InputError("reversals is above 2 at all levels; must be 2 at one at least."
-                             " use_inner_reversals=True takes them all the same")  # fmt: skip
+                             " use_inner_reversals=True takes them nevertheless")  # fmt: skip
         levels = levels._at(~inner)
         flags = [cell for cell, left_out in zip(flags, inner) if not left_out]
     warnings = _warnings_of_flags(flags, len(levels))
@@ -290,7 +290,7 @@ def _usable(levels: Levels, said: dict[str, Any], use_inner_reversals: bool) -> 
 
 
 def _warnings_of_flags(flags: list[Any], count: int) -> list[tuple[str, str]]:
-    """An empty cell is no text where pandas read the table."""
+    """The text of a cell; pandas reads an empty cell as NaN."""
     having = Counter(word for cell in flags if isinstance(cell, str) for word in set(cell.split()))
     if not having:
         return []

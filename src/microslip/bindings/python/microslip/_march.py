@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Marching in time under any forces."""
+"""Time marching under any forces."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from ._arguments import (
 from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._plot import plot_march
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 class PointMotion(NamedTuple):
-    """The motion of a point relative to its base, one value a recorded time."""
+    """The motion of a point relative to its base, one value per recorded time."""
 
     displacement: RealArray  #: m
     velocity: RealArray  #: m/s
@@ -43,7 +43,7 @@ class PointMotion(NamedTuple):
 
 
 class JointMotion(NamedTuple):
-    """The motion of a joint, one value a recorded time."""
+    """The motion of a joint, one value per recorded time."""
 
     displacement: RealArray  #: m, between the ends of the joint
     force: RealArray  #: N, the restoring force
@@ -51,14 +51,14 @@ class JointMotion(NamedTuple):
 
 @dataclass(frozen=True)
 class MarchEnergy:
-    """Where the energy went, J.
+    """Energy balance of a march, J.
 
     Attributes
     ----------
     initial, input, linear_dissipation, kinetic, elastic, joint_dissipation, joint_stored, joint_linear_dissipation : float
-        Each by itself, never as the rest of the others.
+        Each computed by itself, none as the remainder of the others.
     imbalance : float
-        Of the balance, relative, 1: it measures the error of the integration.
+        Residual of the balance, relative, 1: it measures the error of the integration.
     """
 
     initial: float
@@ -74,26 +74,27 @@ class MarchEnergy:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class MarchResult(Shown):
-    """What a structure did.
+    """Result of `march`.
 
     Attributes
     ----------
     time : ndarray
         Recorded times, s, shape (n,).
     points : dict of str to PointMotion
-        Of each point that was asked for.
+        Motion of each requested point.
     joints : dict of str to JointMotion
-        Of each joint.
+        Motion of each joint.
     reached : float
         The last time that was reached, s.
     steps : int
-        That it took.
+        Number of steps.
     error_estimate : float or None
-        Of the displacement, relative to its largest value, 1; None where it was not asked for.
+        Estimated error of the displacement, relative to its largest value, 1; None where it was not
+        requested.
     energy : MarchEnergy
-        Where it went.
+        Energy balance.
     warnings : tuple of Note
-        What must be known.
+        Warnings that concern the result.
     summary : Summary
         How the march ended.
     """
@@ -164,30 +165,30 @@ def march(
     Parameters
     ----------
     structure : Structure
-        Its own excitation, which is periodic, does not act; its static loads do.
+        The structure. Its periodic excitation does not act; its static loads do.
     time : array_like
-        s, shape (n,); two at least, rising.
+        Times, s, shape (n,); two at least, rising.
     forces : mapping of str to array_like, optional
-        At points, N, or accelerations of bases, m/s**2; shape (n,), linear between the times. None:
-        free vibration.
+        Forces at points, N, or accelerations of bases, m/s**2; shape (n,), linear between the
+        times. None: free vibration.
     points : sequence of str, optional
-        Whose motion is recorded; all without it.
+        Points whose motion is recorded; by default all.
     normal_loads : mapping of str to array_like, optional
         P_N/P_0 of joints, 1, shape (n,); 0 or more.
     law : {"incremental", "total"}
-        How stuck elements answer a change of the load.
+        How the force of stuck elements follows a change of the load.
     displacement, velocity : array_like, optional
         Modal, at the first time: q, kg**0.5 m, and its rate, kg**0.5 m/s, shape (modes,).
     step : float
-        Longest step, s; 0: as the structure asks for.
+        Longest step, s; 0: chosen by the structure.
     every : int
-        Every so many times are recorded.
+        Every `every`-th time is recorded.
     tolerance, max_iterations, largest_imbalance, estimate_error, largest_error, elements
         As of ``microslip march`` and microslip::MarchOptions.
     progress : callable, optional
         Called with (done, total); False cancels.
     strict : bool
-        Whether to raise where it does not converge; without it a warning is issued.
+        Whether to raise where the march does not converge; otherwise a warning is issued.
 
     Returns
     -------
@@ -216,7 +217,7 @@ def march(
         warnings=notes(found["warnings"]),
         summary=summary_of(found["summary"]),
     )
-    return told(result, strict)
+    return reported(result, strict)
 
 
 #: Times, forces, normal loads and options as the compiled half takes them.
@@ -254,18 +255,18 @@ def march_arguments(
     times = real_array(time, "time")
     count = len(times)
     modes = len(structure.angular_frequency)
-    named = one_of(law, "law", ("incremental", "total"))
-    acting = [(name, real_array(f, f"forces[{name!r}]", length=count, per="one a time"))
+    rule = one_of(law, "law", ("incremental", "total"))
+    acting = [(name, real_array(f, f"forces[{name!r}]", length=count, per="one per time"))
               for name, f in _named(forces, "forces").items()]  # fmt: skip
-    loads = [(name, real_array(p, f"normal_loads[{name!r}]", length=count, per="one a time"), named)
+    loads = [(name, real_array(p, f"normal_loads[{name!r}]", length=count, per="one per time"), rule)
              for name, p in _named(normal_loads, "normal_loads").items()]  # fmt: skip
     recorded = list(structure.points) if points is None else names(points, "points")
     options = {
         "step": not_negative(step, "step"),
         "every": whole(every, "every", 1),
         "points": recorded,
-        "displacement": optional_array(displacement, "displacement", modes, "one a mode"),
-        "velocity": optional_array(velocity, "velocity", modes, "one a mode"),
+        "displacement": optional_array(displacement, "displacement", modes, "one per mode"),
+        "velocity": optional_array(velocity, "velocity", modes, "one per mode"),
         "tolerance": positive(tolerance, "tolerance"),
         "max_iterations": whole(max_iterations, "max_iterations", 1),
         "largest_imbalance": positive(largest_imbalance, "largest_imbalance"),

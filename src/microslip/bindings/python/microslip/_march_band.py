@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Marching by draws of what is uncertain."""
+"""Time marching of posterior draws."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._arguments import ArrayLike, Progress, RealArray, flag, shown, text
 from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._march import MarchEnergy, march_arguments
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
 from ._spread import DrawsOfJoints, Spread, drawn
 from ._structure import Structure
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Statistic(NamedTuple):
-    """A number of a signal, and between which values the draws have it."""
+    """A statistic of a signal, with its band over the draws."""
 
     value: float
     lower: float
@@ -30,14 +30,14 @@ class Statistic(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class MarchedSignal:
-    """A signal of a march, one value a recorded time.
+    """A signal of a march, one value per recorded time.
 
     Attributes
     ----------
     unit : str
-        Of its values.
+        Unit of its values.
     values, lower, upper : ndarray
-        Of the structure itself, and between which values the draws lie, shape (n,).
+        Values of the structure itself, and the band of the draws, shape (n,).
     peak, rms : Statistic
         Largest absolute value and root of the mean square over all steps.
     """
@@ -52,7 +52,7 @@ class MarchedSignal:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class MarchBand(Shown):
-    """What a structure did, and what draws of it would have done.
+    """Result of `march_band`: the motion of a structure with bands over its draws.
 
     Attributes
     ----------
@@ -62,13 +62,13 @@ class MarchBand(Shown):
         ``"displacement"``, ``"velocity"``, ``"acceleration"`` of the point, ``"lap displacement"``
         and ``"lap force"`` of each joint.
     failures : tuple of (str, int)
-        Why draws failed, and how many: they are in no band.
+        Reasons why draws failed, and how many; these are in no band.
     error_estimate : float or None
         As of `MarchResult`.
     energy : MarchEnergy
-        Of the structure itself.
+        Energy balance of the structure itself.
     warnings : tuple of Note
-        What must be known.
+        Warnings that concern the result.
     summary : Summary
         How the march of the structure itself ended. Bands are empty where it did not converge.
     """
@@ -82,7 +82,7 @@ class MarchBand(Shown):
     summary: Summary
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with three columns a signal."""
+        """A DataFrame with three columns per signal."""
         import pandas
 
         columns = {"time [s]": self.time}
@@ -125,15 +125,15 @@ def march_band(
     structure, time, forces
         As of `march`.
     point : str, optional
-        Whose motion is recorded; without it that of `HarmonicBalance`.
+        Point whose motion is recorded; by default that of `HarmonicBalance`.
     draws, samples, seed, confidence, correlation, spread
         As of `HarmonicBalance.frequency_response`; `samples` is the number of draws.
     progress : callable, optional
         Called with (done, total) of the times, then of the draws; False cancels.
     strict : bool
-        Whether to raise where it does not converge; without it a warning is issued.
+        Whether to raise where the march does not converge; otherwise a warning is issued.
     **options
-        Of `march` but for `points`.
+        Those of `march` except `points`.
 
     Returns
     -------
@@ -147,12 +147,12 @@ def march_band(
     if not isinstance(structure, Structure):
         raise InputError(f"structure = {shown(structure)}; must be a microslip.Structure")
     if "points" in options:
-        raise InputError("points is given; must be point, of which there is one")
+        raise InputError("points is given; must be point, a single name")
     at = structure._core.response if point is None else text(point, "point")
     acting = march_arguments(structure, time, forces, points=[at], **options)
     asked = drawn(structure, draws, samples, seed, confidence, correlation, spread)
     if asked is None:
-        raise InputError("samples = 0; must be positive. Use march where nothing is drawn.")
+        raise InputError("samples = 0; must be positive. Use march without draws.")
     found = _core.draw_march(structure._core, at, *acting, asked, progress_of(progress))
     signals = {
         name: MarchedSignal(unit, values, lower, upper, Statistic(*peak), Statistic(*rms))
@@ -167,4 +167,4 @@ def march_band(
         warnings=notes(found["warnings"]),
         summary=summary_of(found["summary"]),
     )
-    return told(result, strict)
+    return reported(result, strict)

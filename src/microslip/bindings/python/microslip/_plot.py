@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of arrays, by matplotlib, which is needed for them alone.
+"""Plots of arrays by matplotlib, which is needed for them alone.
 
-Each function draws on `ax`, or on a figure of its own where that is None; `style` holds the keywords
-that users give for the lines.
+Each function draws on `ax`, or on a new figure where that is None; `style` holds the keywords that
+users give for the lines.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def _axes(ax: Optional[Axes], x: str, y: str) -> Axes:
         try:
             from matplotlib import pyplot
         except ImportError:
-            raise Error("matplotlib is missing; pictures need it. Debian: python3-matplotlib") from None
+            raise Error("matplotlib is missing; plots need it. Debian: python3-matplotlib") from None
         ax = pyplot.subplots(layout="constrained")[1]
     ax.set_xlabel(x)
     ax.set_ylabel(y)
@@ -69,7 +69,7 @@ def plot_density(ax: Optional[Axes], style: Style, slip_force: RealArray, densit
 def plot_identification(ax: Optional[Axes], style: Style, slip_force: RealArray, density: RealArray,
                         atoms: Sequence[Atoms], *, band: Optional[Band], covered_from: float,
                         up_to: float) -> Axes:  # fmt: skip
-    """An identified density with its band, and from which slip force on the levels determine it.
+    """An identified density with its band, and the slip force from which the levels determine it.
     The axis reaches `up_to` at least."""
     ax = _axes(ax, "slip force [N]", "density [1/N]")
     (line,) = ax.plot(slip_force, density, **{"label": "identified", **style})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Recordings: signals measured together, from and to files and the dictionaries of others."""
+"""Recordings: signals measured together, read from and written to files and dictionaries."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 FORMATS = ("csv", "uff", "uff-ascii", "mat", "h5")
-#: Texts by name, in the order of a file, where a name may come again.
+#: Strings by name, in the order of a file, where a name may occur repeatedly.
 Attributes = tuple[tuple[str, str], ...]
 
 
@@ -48,19 +48,19 @@ class Channel(Shown):
     Parameters
     ----------
     name : str
-        No two the same in a recording.
+        Name, unique within a recording.
     values : array_like
         Real or complex, shape (points,), in `unit`; they become SI.
     unit : str, optional
         ``"m/s^2"``, ``"g"`` (standard gravity), ``"um"``, ``"lbf"``, ``"1"``, ...; it becomes that
         of SI. None: not known, values stay as they are.
     attributes : mapping or sequence of (str, str)
-        What else is known of it.
+        Further information on the signal.
 
     Raises
     ------
     ValueError
-        Naming what breaks a rule: an unknown unit, for instance.
+        Where a value breaks a rule, for instance an unknown unit; the message names it.
     """
 
     name: str
@@ -91,16 +91,16 @@ class Channel(Shown):
 
 @dataclass(frozen=True, eq=False)
 class Axis:
-    """What values are given over: time as a rule.
+    """The axis of the values, usually time.
 
     Parameters
     ----------
     values : array_like, optional
-        In `unit`, rising, where the points are not evenly spaced; or
+        Points in `unit`, rising, where they are not evenly spaced; or
     step : float
-        In `unit`, above 0, where they are.
+        Their spacing in `unit`, above 0, where they are.
     start : float
-        Of the first point, in `unit`, with a step.
+        The first point, in `unit`, with a step.
     unit : str
         ``"s"``, ``"Hz"``, ...; it becomes that of SI.
     """
@@ -130,14 +130,14 @@ class Axis:
         return self.values is None
 
     def points(self, count: int) -> RealArray:
-        """The first so many points, SI."""
+        """The first `count` points, SI."""
         if self.values is None:
             return self.start + np.arange(count) * self.step
         return np.asarray(self.values)[:count]
 
 
 def _evenly(points: RealArray) -> tuple[Optional[RealArray], float, float]:
-    """Start and step where these explain the points to the rounding of a few operations."""
+    """Start and step where these reproduce the points to the rounding of a few operations."""
     if len(points) < 2:
         return points, 0.0, 0.0
     start = float(points[0])
@@ -155,19 +155,19 @@ class Recording(Shown):
     Parameters
     ----------
     channels : sequence of Channel
-        One at least, each with a value a point of the axis.
+        One at least, each with one value per point of the axis.
     axis : Axis
-        That they share.
+        The axis that they share.
     source : str
-        Where it comes from, for messages and tables.
+        Where the recording comes from, for messages and tables.
     attributes : mapping or sequence of (str, str)
-        What else is known of it.
+        Further information on the recording.
 
     Raises
     ------
     ValueError
-        Naming what breaks a rule: lengths that differ, names that come twice, times that do not
-        rise.
+        Where lengths differ, names occur twice or times do not rise, for instance; the message
+        names the value.
 
     See Also
     --------
@@ -193,7 +193,7 @@ class Recording(Shown):
         _core.check_recording(self._dict())
         if self.axis._count not in (None, len(self)):
             raise InputError(f"{self.source}: the axis has {self.axis._count} points; must have"
-                             f" {len(self)}, one a value")  # fmt: skip
+                             f" {len(self)}, one per value")  # fmt: skip
 
     @classmethod
     def of(
@@ -207,24 +207,24 @@ class Recording(Shown):
         start: float = 0.0,
         source: str = "arrays",
     ) -> Recording:
-        """A recording of arrays.
+        """A recording from arrays.
 
         Parameters
         ----------
         signals : mapping of str to array_like
             Values by name, shape (points,).
         units : mapping of str to str, optional
-            Of them; those that are not named have none.
+            Units of the signals; those that are not named have none.
         fs : float, optional
             Sampling rate, Hz, with the time `start` of the first value; or
         time : array_like, optional
-            s, shape (points,), rising; or
+            Times, s, shape (points,), rising; or
         frequency : array_like, optional
-            Hz, likewise.
+            Frequencies, Hz, shape (points,), rising.
         start : float
-            s.
+            Time of the first value, s.
         source : str
-            Where it comes from.
+            Where the recording comes from.
 
         Examples
         --------
@@ -241,7 +241,7 @@ class Recording(Shown):
             raise InputError(f"units = {units!r}; must be a mapping of names to units")
         for name in named:
             if name not in signals:
-                raise InputError(f"units has {name!r}; must be of signals, {', '.join(signals)}")
+                raise InputError(f"units has {name!r}; must name signals: {', '.join(signals)}")
         channels = [Channel(name, values, named.get(name)) for name, values in signals.items()]
         return cls(channels, _axis_of(fs, time, frequency, start), source)
 
@@ -289,13 +289,13 @@ class Recording(Shown):
         return self._points("Hz", "frequency")
 
     def to_sep5(self) -> list[dict[str, Any]]:
-        """Dictionaries of SEP 5 of SDyPy, one a channel: ``data``, ``name``, ``unit_str``, ``fs``
+        """Dictionaries of SEP 5 of SDyPy, one per channel: ``data``, ``name``, ``unit_str``, ``fs``
         or ``time``, ``channel_name``, ``quantity``; ``start`` where the first time is not 0.
 
         Raises
         ------
         ValueError
-            For what is not over time.
+            Where the recording is not over time.
         """
         if self.axis.unit != "s":
             raise InputError(f"{self.source} is over {self.axis.unit}; must be over time for SEP 5")
@@ -314,20 +314,20 @@ class Recording(Shown):
     @classmethod
     def from_sep5(cls, signals: Union[Mapping[str, Any], Sequence[Mapping[str, Any]]], *,
                   source: Optional[str] = None) -> Recording:  # fmt: skip
-        """A recording of dictionaries of SEP 5, one a channel, all over the same times.
+        """A recording from dictionaries of SEP 5, one per channel, all over the same times.
 
         Parameters
         ----------
         signals : mapping or sequence of mapping
-            With ``data``, ``name`` (or ``channel_name``), ``unit_str`` and ``fs`` or ``time``. A
-            ``unit_str`` that is empty: not known.
+            With ``data``, ``name`` (or ``channel_name``), ``unit_str`` and ``fs`` or ``time``. An
+            empty ``unit_str``: unit not known.
         source : str, optional
-            Where it comes from, in place of that of the first.
+            Where the recording comes from; by default the source of the first.
 
         Raises
         ------
         ValueError
-            Naming the key: missing, an unknown unit, times that differ.
+            Where a key is missing, a unit is unknown or times differ; the message names the key.
         """
         given = [signals] if isinstance(signals, Mapping) else sequence(signals, "signals", "mappings")
         if not given:
@@ -349,7 +349,7 @@ class Recording(Shown):
         return cls(channels, axis, named)
 
     def to_uff(self) -> list[dict[str, Any]]:
-        """Dictionaries of datasets 58 as pyuff has them, one a channel; ``x`` holds all abscissae."""
+        """Dictionaries of datasets 58 as in pyuff, one per channel; ``x`` has all abscissae."""
         functions = _core.functions_of_recording(self._dict())
         points = self.axis.points(len(self))
         for function in functions:
@@ -359,7 +359,7 @@ class Recording(Shown):
         return functions
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with a column a channel, over the axis."""
+        """A DataFrame with one column per channel, over the axis."""
         import pandas
 
         name = {"s": "time [s]", "Hz": "frequency [Hz]"}.get(self.axis.unit, f"[{self.axis.unit}]")
@@ -434,8 +434,8 @@ _QUANTITIES = {"m": "displacement", "m/s": "velocity", "m/s^2": "acceleration", 
 
 
 def _quantity(channel: Channel) -> str:
-    said: str = dict(attributes(channel.attributes, "attributes")).get("quantity", "")
-    return said or _QUANTITIES.get(channel.unit or "", "")
+    quantity: str = dict(attributes(channel.attributes, "attributes")).get("quantity", "")
+    return quantity or _QUANTITIES.get(channel.unit or "", "")
 
 
 def _assumed(assume_units: object) -> list[str]:
@@ -457,33 +457,33 @@ def read_recordings(
     allow_truncated: bool = False,
     progress: Optional[Progress] = None,
 ) -> list[Recording]:
-    """The recordings of a file: CSV, universal file (58, 58b), MATLAB or HDF5, by its content.
+    """Reads the recordings of a file, by its content: CSV, universal file (58, 58b), MATLAB, HDF5.
 
     Parameters
     ----------
     path : path
         ``FILE.mat:VARIABLE`` for a part of a MATLAB file.
     assume_units : mapping, "SI" or sequence of str, optional
-        Of channels, and of time, that the file gives none: ``{"acc1": "g", "time": "ms"}``. "SI":
-        of all whose name says what they measure. A sequence as on the command line: ``["SI",
-        "acc1=g"]``.
+        Units of channels, and of time, for which the file gives none: ``{"acc1": "g", "time":
+        "ms"}``. "SI": for all channels whose name states the quantity. A sequence as on the command
+        line: ``["SI", "acc1=g"]``.
     allow_truncated : bool
-        Whether to take what a file has where it ends before all it announces.
+        Whether to accept a file that ends before all data that it announces.
     progress : callable, optional
         Called with (bytes done, bytes); False cancels.
 
     Returns
     -------
     list of Recording
-        Channels that share an axis are one recording. What the reader had to forgive is told as a
-        `MicroslipWarning`, and an attribute ``warning`` of each.
+        Channels that share an axis are one recording. Faults that the reader tolerated are issued
+        as `MicroslipWarning` and kept as an attribute ``warning`` of each recording.
 
     Raises
     ------
     FileError, FormatError
-        Where it cannot be read.
+        Where the file cannot be read.
     ValueError
-        Naming `assume_units`, where a unit is unknown or does not fit.
+        Where a unit of `assume_units` is unknown or does not fit.
     """
     found, warnings = _core.read_recordings(
         path_of(path, "path"),
@@ -502,18 +502,18 @@ def write_recordings(path: Path, recordings: Union[Recording, Sequence[Recording
     Parameters
     ----------
     path : path
-        Its ending tells the format: .csv; .uff .unv .uf (58b); .mat; .h5 .hdf5.
+        Its extension gives the format: .csv; .uff .unv .uf (58b); .mat; .h5 .hdf5.
     recordings : Recording or sequence of Recording
-        One for CSV.
+        One only for CSV.
     format : {"csv", "uff", "uff-ascii", "mat", "h5"}, optional
-        Whatever the ending.
+        Format, whatever the extension.
 
     Raises
     ------
     FileError
-        Where it cannot be written.
+        Where the file cannot be written.
     ValueError
-        Where the format has no place for them.
+        Where the format cannot store the recordings.
     """
     name = path_of(path, "path")
     as_format = None if format is None else one_of(format, "format", FORMATS)

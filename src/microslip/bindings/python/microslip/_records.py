@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""From force-displacement records of a joint to the joint, its stiffness with it."""
+"""Identifies a joint and its stiffness from its force-displacement records."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from ._errors import InputError
 from ._identification import Identification, Verdict, _identification_of
 from ._levels import Levels
 from ._recordings import Recording, recordings_of
-from ._results import si, told
+from ._results import reported, si
 
 
 class Estimate(NamedTuple):
@@ -40,28 +40,28 @@ class Estimate(NamedTuple):
 
 @dataclass(frozen=True)
 class RecordFit:
-    """What came of one record.
+    """Fit of one record.
 
     Attributes
     ----------
     source : str
-        Of the record.
+        Source of the record.
     start : str
-        The state that it was taken to begin in: ``"virgin"`` or ``"unknown"``.
+        The assumed initial state: ``"virgin"`` or ``"unknown"``.
     start_shown : bool
-        Whether its first samples show that.
+        Whether the first samples show that state.
     offset : ndarray
         F0 of each group of rows, N.
     residual : ndarray
-        Measured less found force of each row, N.
+        Measured minus fitted force of each row, N.
     scatter : float
-        Of the force of one sample, N.
+        Standard deviation of the force of one sample, N.
     correlation : float
-        Of the residuals of neighbouring rows, 1.
+        Correlation of the residuals of neighbouring rows, 1.
     unexplained : float
         rms of residuals over that of the force, 1.
     verdicts : tuple of Verdict
-        Of each departure from such a joint that was looked for, the weightiest first.
+        Checks for departures from the model of the joint, the most serious first.
     """
 
     source: str
@@ -77,20 +77,20 @@ class RecordFit:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RecordIdentification(Identification):
-    """A joint from records, and what its user must know of it: an `Identification` with
+    """A joint identified from records, with its diagnostics: an `Identification` with
 
     Attributes
     ----------
     stiffness : Estimate
-        k with its band, N/m; of a k that was given it is that.
+        k with its band, N/m; a given k is returned as it is.
     elastic_stiffness : Estimate
-        What does not slip within the records, N/m.
+        Stiffness that does not slip within the records, N/m.
     viscous : Estimate or None
-        c of a viscous part, N s/m; None where it was not sought.
+        c of a viscous part, N s/m; None where it was not identified.
     resolved_from : float
-        Smallest slip displacement that the records tell, m.
+        Smallest slip displacement that the records resolve, m.
     records : tuple of RecordFit
-        What came of each.
+        Fit of each record.
     """
 
     stiffness: Estimate
@@ -110,7 +110,7 @@ class RecordIdentification(Identification):
         return title, rows[:-1] + fits + rows[-1:] if fits else rows
 
 
-#: As the package hands a record over: name, displacement, force, time step.
+#: A record as the compiled half takes it: name, displacement, force, time step.
 _Record = tuple[str, RealArray, RealArray, float]
 
 
@@ -123,7 +123,7 @@ def _arrays(value: Any, name: str) -> list[RealArray]:
 
 def _of_arrays(force: Any, displacement: Any, time_step: Any, fs: Any) -> list[_Record]:
     if displacement is None:
-        raise InputError("displacement is missing; must be an array, beside force")
+        raise InputError("displacement is missing; must be an array, as force is")
     if time_step is not None and fs is not None:
         raise InputError("time_step and fs are both given; must be one of them")
     step = 0.0
@@ -180,36 +180,36 @@ def identify_records(
     progress: Optional[Progress] = None,
     strict: bool = True,
 ) -> RecordIdentification:
-    """The joint that answers paths with the forces that were recorded.
+    """Identifies the joint whose force along displacement paths was recorded.
 
     Parameters
     ----------
     records : Recording or sequence of Recording, optional
-        Of one joint, evenly sampled. Without them `force` and `displacement` are arrays.
+        Records of one joint, evenly sampled. Without them `force` and `displacement` are arrays.
     force, displacement : str or array_like or list of array_like
         Names of the channels of recordings, not needed where there is one force and one
         displacement; or the arrays, N and m, shape (n,), several records as lists of arrays.
         Positive work is done on the joint: the force has the sign of a spring's.
     time_step : float, optional
-        Of arrays, s; or
+        Time step of arrays, s; or
     fs : float, optional
-        their sampling rate, Hz. Only a viscous part and smoothing of the path need one.
+        their sampling rate, Hz. Needed only for a viscous part and for smoothing of the path.
     levels : Levels or sequence of Levels, optional
-        Of the same joint, tables with errors of their own.
+        Levels of the same joint, as tables each with their own errors.
     stiffness : float, optional
-        k of the stuck joint, N/m; found without it.
+        k of the stuck joint, N/m; identified by default.
     viscous : bool
-        Whether to seek a viscous part beside the friction.
+        Whether to identify a viscous part in addition to the friction.
     start : {"auto", "virgin", "unknown"}
-        The state in which records begin; by what they show with ``"auto"``.
+        Initial state of the records; detected with ``"auto"``.
     samples : int
-        Draws of the posterior; 100 or more.
+        Number of posterior draws; 100 or more.
     seed : int
-        Of the draws.
+        Seed of the draws.
     progress : callable, optional
         Called with (done, total) of the draws; False cancels.
     strict : bool
-        Whether to raise where the method does not converge; without it a warning is issued.
+        Whether to raise where the method does not converge; otherwise a warning is issued.
 
     Returns
     -------
@@ -218,9 +218,10 @@ def identify_records(
     Raises
     ------
     ValueError
-        Naming record or argument: a path that does not turn, work that is given, for instance.
+        Where a record or an argument breaks a rule, for instance a path without reversals or work
+        of the wrong sign; the message names it.
     NotConverged
-        With the result as far as it got.
+        Where the method does not converge; holds the result up to there.
 
     Examples
     --------
@@ -253,7 +254,7 @@ def identify_records(
     found = _core.identify_records(
         given, _tables(levels), options, "microslip.identify_records", progress_of(progress)
     )
-    return told(_found(found), strict)
+    return reported(_found(found), strict)
 
 
 def _found(found: dict[str, Any]) -> RecordIdentification:

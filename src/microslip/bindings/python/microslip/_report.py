@@ -21,7 +21,7 @@ def report(
     pictures: bool = True,
     progress: Optional[Progress] = None,
 ) -> int:
-    """Writes the report of what a folder holds of a test: one HTML file, at once and whole.
+    """Writes the report of the test in a folder: one HTML file, at once and whole.
 
     Parameters
     ----------
@@ -33,9 +33,9 @@ def report(
     title : str, optional
         Its title; the name of the folder without it.
     records : int
-        So many recordings are shown over time; 1 to 1000.
+        Number of recordings shown over time; 1 to 1000.
     pictures : bool
-        Whether it has the pictures for paper that gnuplot draws, where that is there.
+        Whether to include the figures for print that gnuplot draws, where it is installed.
     progress : callable, optional
         Called with (recordings done, recordings); False cancels.
 

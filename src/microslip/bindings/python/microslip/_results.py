@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What all results have: how the method ended, and what their reader must know."""
+"""Parts that all results have: the summary of the method and the warnings."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ class Summary:
     reason : str
         Why it stopped, in words.
     converged : bool
-        Whether its stopping rule holds and no check of the result failed.
+        Whether its stopping criterion was met and no check of the result failed.
     usable : bool
         Whether there is a result to use, with the reason in mind.
     residual : float
-        What the stopping rule measures, relative, 1.
+        Measure of the stopping criterion, relative, 1.
     iterations : int
-        That it took.
+        Number of iterations.
     seconds : float
         Wall time, s.
     text : str
-        A line a fact.
+        One line per fact.
     """
 
     method: str
@@ -58,7 +58,7 @@ class Note:
     code : str
         Stable, for scripts: ``density_negative``.
     text : str
-        One sentence with the figures, and what to do about it.
+        One sentence with the figures and the remedy.
     """
 
     code: str
@@ -69,7 +69,7 @@ class Note:
 
 
 class HasSummary(Protocol):
-    """A result that says how it ended."""
+    """A result with warnings and a summary."""
 
     @property
     def summary(self) -> Summary: ...
@@ -90,7 +90,7 @@ def summary_of(numbers: Mapping[str, Any]) -> Summary:
 
 
 def warn(text: str) -> None:
-    """Issues a warning at the line of the user's that led here."""
+    """Issues a warning at the user's line that led here."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("microslip."):
         level, frame = level + 1, frame.f_back
@@ -117,16 +117,16 @@ def fix(value: object) -> None:
         fix(list(value.values()))
 
 
-def told(result: Result, strict: bool) -> Result:
-    """Tells the warnings of a result, and raises where it did not converge and `strict` is set. Its
-    arrays are read-only from here on."""
+def reported(result: Result, strict: bool) -> Result:
+    """Issues the warnings of a result, and raises where it did not converge and `strict` is set.
+    Its arrays are read-only from here on."""
     fix(result)
     for note in result.warnings:
         warn(str(note))
     if not result.summary.converged:
         text = f"{result.summary.method}: {result.summary.reason}"
         if strict:
-            raise NotConverged(f"{text}. With strict=False what was found is returned.", result)
+            raise NotConverged(f"{text}. With strict=False the partial result is returned.", result)
         warn(f"not_converged: {text}")
     return result
 
@@ -137,14 +137,14 @@ def si(value: float, unit: str, digits: int = 5) -> str:
 
 
 def text_table(title: str, rows: Iterable[tuple[str, str]]) -> str:
-    """A title, then a line a fact, for `repr`."""
+    """A title, then one line per fact, for `repr`."""
     pairs = list(rows)
     width = max((len(name) for name, _ in pairs), default=0)
     return "\n".join([title, *(f"  {name:<{width}}  {value}" for name, value in pairs)])
 
 
 def html_table(title: str, rows: Iterable[tuple[str, str]]) -> str:
-    """The same for notebooks."""
+    """The title and the facts as HTML, for notebooks."""
     cells = "".join(
         f'<tr><th style="text-align:left">{html.escape(name)}</th>'
         f'<td style="text-align:left">{html.escape(value)}</td></tr>'
@@ -167,7 +167,7 @@ class Shown:
 
 
 def outcome(result: HasSummary) -> list[tuple[str, str]]:
-    """The facts that every result ends with."""
+    """The last facts of every result."""
     rows = [("status", "converged" if result.summary.converged else
              f"NOT CONVERGED: {result.summary.reason}")]  # fmt: skip
     rows.extend(("warning", str(note)) for note in result.warnings)

@@ -32,20 +32,20 @@ from ._errors import InputError
 from ._joint import AnyJoint, IdentifiedJoint, Joint, identified
 from ._levels import Levels
 from ._recordings import Recording, recordings_of
-from ._results import Note, Shown, Summary, fix, notes, outcome, si, summary_of, told, warn_of
+from ._results import Note, Shown, Summary, fix, notes, outcome, reported, si, summary_of, warn_of
 from ._structure import Structure
 
 if TYPE_CHECKING:
     import pandas
     from matplotlib.axes import Axes
 
-#: Columns of a table as its file has them: ``"amplitude [m]"`` to an array, texts to a list.
+#: Columns of a table as in its file: ``"amplitude [m]"`` to an array, texts to a list.
 Table = Mapping[str, Union[RealArray, list[str]]]
 
 
 class Rig(Shown):
     """The description of a frictional-support test: a beam or modes, the contact, sensors, and for
-    a virtual test what is to be measured. Immutable. @see docs/file_formats.md, rig.toml
+    a virtual test the levels to be measured. Immutable. See docs/file_formats.md, rig.toml.
 
     Examples
     --------
@@ -59,7 +59,7 @@ class Rig(Shown):
     _path: Optional[str]
 
     def __init__(self) -> None:
-        raise TypeError("a Rig comes from Rig.read, or of a text from Rig.parse")
+        raise TypeError("a Rig comes from Rig.read, or from a text by Rig.parse")
 
     @classmethod
     def _of(cls, core: CoreRig, path: Optional[str] = None) -> Rig:
@@ -70,19 +70,19 @@ class Rig(Shown):
 
     @classmethod
     def read(cls, path: Path) -> Rig:
-        """The rig of a rig.toml.
+        """Reads a rig.toml.
 
         Raises
         ------
         FileError, FormatError, ValueError
-            Naming the key that breaks a rule.
+            Where a key breaks a rule; the message names it.
         """
         name = path_of(path, "path")
         return cls._of(_core.read_rig(name), name)
 
     @classmethod
     def parse(cls, toml: str, name: str = "rig.toml") -> Rig:
-        """The rig of a text, whose name is for messages."""
+        """Parses the text of a rig.toml; `name` is for messages."""
         return cls._of(_core.parse_rig(text(toml, "toml"), text(name, "name")))
 
     def write(self, path: Path) -> None:
@@ -91,7 +91,7 @@ class Rig(Shown):
 
     @property
     def text(self) -> str:
-        """That of a rig.toml."""
+        """The name given in the rig.toml."""
         return self._core.text()
 
     @property
@@ -101,7 +101,7 @@ class Rig(Shown):
 
     @property
     def channels(self) -> tuple[str, ...]:
-        """Of its recordings: force, accelerometers, vibrometer."""
+        """Names of the channels of its recordings: force, accelerometers, vibrometer."""
         return tuple(self._core.channels)
 
     def stuck_frequencies(self) -> RealArray:
@@ -110,8 +110,8 @@ class Rig(Shown):
 
     def structure(self, joint: AnyJoint, *, linear_damping: Optional[float] = None) -> Structure:
         """The structure of the test with a joint in its contact, driven at the exciter; its points
-        have the names of the channels there. A linear damping, J/m**2, is that of an identification
-        without another."""
+        have the names of the channels there. `linear_damping`, J/m**2, is by default that of an
+        identification."""
         known = identified(joint, "joint")
         damping = known.linear_damping or 0.0
         if linear_damping is not None:
@@ -124,13 +124,14 @@ class Rig(Shown):
         Raises
         ------
         ValueError
-            Where it names none, or was not read from a file, which the name is relative to.
+            Where the rig names no joint, or was not read from a file, to which the name is
+            relative.
         """
         if not self._core.joint:
             raise InputError("contact.joint is missing; must name the file of the true joint, or"
                              " joint must be given")  # fmt: skip
         if self._path is None:
-            raise InputError("the rig is of no file, which its joint is relative to; give joint")
+            raise InputError("the rig is of no file, to which its joint is relative; give joint")
         at = os.path.join(os.path.dirname(self._path), self._core.joint)
         core, damping, _ = _core.read_joint(at)
         return Joint._of(core), damping or 0.0
@@ -167,22 +168,22 @@ def frame_of(table: Table) -> pandas.DataFrame:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Measurement(Shown):
-    """A virtual test.
+    """Result of `measure`: the recordings of a virtual test.
 
     Attributes
     ----------
     recordings : tuple of Recording
-        One a level that was found, ``level_01``, ``level_02``, ...
+        One per level that was found, ``level_01``, ``level_02``, ...
     before_control : tuple of Recording
-        The same under a sinusoidal voltage, where they were asked for.
+        The levels under a sinusoidal voltage, where requested.
     truth : mapping of str to ndarray
-        What their reduction should find: the columns of truth.csv.
+        The exact levels, which a reduction should find: the columns of truth.csv.
     force_control : mapping of str to ndarray
-        What the control of the force did: the columns of force_control.csv; empty without shaker.
+        History of the control of the force: the columns of force_control.csv; empty without shaker.
     warnings : tuple of Note
-        What must be known, each kind once.
+        Warnings, each kind once.
     summary : Summary
-        How the levels were found.
+        How the levels were computed.
     """
 
     recordings: tuple[Recording, ...]
@@ -221,28 +222,28 @@ def measure(
     progress: Optional[Progress] = None,
     strict: bool = True,
 ) -> Measurement:
-    """A virtual test: what the sensors of a rig record while its joint is known.
+    """Runs a virtual test: computes the recordings of a rig with a known joint.
 
     Parameters
     ----------
     rig : Rig
         With ``[test]``.
     joint : Joint, IdentifiedJoint or Identification, optional
-        The true one; that of the rig's file without it.
+        The true joint; by default that of the rig's file.
     seed : int
-        Of noise and phases.
+        Seed of noise and phases.
     shaker : bool
-        Whether a shaker drives it, whose force is controlled; else a pure force does.
+        Whether a shaker with a controlled force drives the rig; otherwise a pure force.
     before_control : bool
         Whether to record the levels under a sinusoidal voltage as well.
     force_distortion : float
-        Harmonics of the force over the first at which the control rests, 1; above 0.
+        Ratio of the harmonics of the force to the first at which the control stops, 1; above 0.
     linear_damping : float, optional
-        beta of the joint, J/m**2, in place of what is known of it.
+        beta of the joint, J/m**2, in place of the identified one.
     progress : callable, optional
         Called with (levels done, levels); False cancels.
     strict : bool
-        Whether to raise where a level is not found; without it a warning is issued.
+        Whether to raise where a level is not found; otherwise a warning is issued.
 
     Returns
     -------
@@ -266,7 +267,7 @@ def measure(
         "linear_damping": damping,
     }
     if before_control and not shaker:
-        raise InputError("before_control is given without shaker, which makes it; must be False")
+        raise InputError("before_control is given without shaker; must be False")
     found = _core.measure(rig._core, true.joint._core, options, progress_of(progress))
     result = Measurement(
         recordings=tuple(Recording._of(recording) for recording in found["recordings"]),
@@ -277,12 +278,12 @@ def measure(
         summary=summary_of(found["summary"]),
         _truth_csv=found["truth_csv"],
     )
-    return told(result, strict)
+    return reported(result, strict)
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Reduction(Shown):
-    """Levels of a test, from its records.
+    """Levels of a test, reduced from its records.
 
     Attributes
     ----------
@@ -290,11 +291,12 @@ class Reduction(Shown):
         The columns of levels.csv, ``"amplitude [m]"``, ..., ``"flags"``: of the levels with a
         dissipation of 0 or more, in the order of the records.
     flags : tuple of str
-        Of each level, codes between blanks; docs/file_formats.md explains them under levels.csv.
+        Flags of each level, separated by blanks; docs/file_formats.md explains them under
+        levels.csv.
     rejected : tuple of (int, str)
         With `skip_faulty`: which records were left out, from 0, and why.
     warnings : tuple of Note
-        What is to be looked at.
+        Warnings that concern the result.
     """
 
     table: Table
@@ -305,8 +307,8 @@ class Reduction(Shown):
 
     @property
     def levels(self) -> Levels:
-        """For `identify`, with the frequencies of resonance and without levels whose joint turns
-        more than twice a cycle: their D is not that of one loop."""
+        """Levels for `identify`, with resonance frequencies; levels with more than two reversals
+        per cycle, whose D is not that of one loop, are left out."""
         return Levels(**_core.parse_levels(self._csv))
 
     def write(self, path: Path) -> None:
@@ -353,22 +355,22 @@ def reduce(
     skip_faulty: bool = False,
     progress: Optional[Progress] = None,
 ) -> Reduction:
-    """Levels from steady records of a frictional-support test.
+    """Reduces steady records of a frictional-support test to levels.
 
     Parameters
     ----------
     rig : Rig
-        That was recorded.
+        The rig that was recorded.
     recordings : Recording or sequence of Recording
-        One a level, with the channels that the rig names.
+        One per level, with the channels that the rig names.
     frequency : float, optional
-        Of the drive, to 3 %, Hz; found without it.
+        Drive frequency, to 3 %, Hz; by default found from the records.
     order : int
-        Number of harmonics fitted; 1 to 100.
+        Number of fitted harmonics; 1 to 100.
     modes : int
-        Of the beam; 0: those of the rig's test, or 30.
+        Number of modes of the beam; 0: those of the rig's test, or 30.
     use_vibrometer : bool
-        Whether the joint displacement is what the vibrometer shows, where there is one.
+        Whether the joint displacement is taken from the vibrometer, where there is one.
     skip_faulty : bool
         Whether to leave out records that cannot be reduced.
     progress : callable, optional
@@ -381,7 +383,8 @@ def reduce(
     Raises
     ------
     ValueError
-        Naming record and channel: missing, of another unit, no steady vibration in it.
+        Where a channel is missing, has another unit or no steady vibration; the message names
+        record and channel.
     """
     _rig(rig)
     given = [recording._dict() for recording in recordings_of(recordings)]
@@ -402,26 +405,26 @@ def reduce(
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Verification(Shown):
-    """Predicted against recorded, a row a record and channel.
+    """Comparison of predictions with records, one row per record and channel.
 
     Attributes
     ----------
     table : mapping of str to ndarray or list of str
         The columns of verification.csv: ``"source"``, ``"channel"``, ``"status"``,
         ``"NRMSE [1]"``, ``"noise_share [1]"``, ``"amplitude_ratio [1]"``,
-        ``"phase_error [rad]"``, ...; with draws what they leave possible beside it.
+        ``"phase_error [rad]"``, ...; with draws also their bands.
     harmonics : mapping of str to ndarray or list of str
-        Of each record and harmonic, recorded and predicted.
+        Recorded and predicted harmonics of each record.
     histories : mapping of str to ndarray or list of str
         A few cycles of each record.
     rejected : tuple of (int, str)
         With `skip_faulty`: which records were left out, from 0, and why.
     failed_draws : int or None
-        That are in no band; None without draws.
+        Number of draws that failed and are in no band; None without draws.
     warnings : tuple of Note
-        What must be known.
+        Warnings that concern the result.
     summary : Summary
-        Of the first record whose prediction did not converge, or of the first.
+        That of the first record whose prediction did not converge, or of the first record.
     """
 
     table: Table
@@ -460,18 +463,18 @@ class Verification(Shown):
 
 
 def _known_joint(joint: Any) -> IdentifiedJoint:
-    """Of a path, too."""
+    """A joint, an identification or the joint of a path as an `IdentifiedJoint`."""
     if isinstance(joint, (str, bytes, os.PathLike)):
         return IdentifiedJoint.read(os.fsdecode(joint))
     return identified(joint, "joint")
 
 
 def _spread_of_rig(count: int, spread: dict[str, float]) -> dict[str, float]:
-    """Standard deviations of the rig, checked; none where nothing is drawn, which would not use them."""
+    """Standard deviations of the rig, checked; empty without draws, which alone use them."""
     checked = {name: not_negative(value, name) for name, value in spread.items()}
     for name, value in checked.items():
         if count == 0 and value > 0.0:
-            raise InputError(f"samples is 0; must say how many draws are predicted, as {name} is"
+            raise InputError(f"samples is 0; must be the number of draws, as {name} is"
                              " given")  # fmt: skip
     return checked
 
@@ -501,43 +504,43 @@ def verify(
     progress: Optional[Progress] = None,
     strict: bool = True,
 ) -> Verification:
-    """Records of a test against what a joint predicts for it.
+    """Compares records of a test with the predictions of a joint.
 
     Parameters
     ----------
     rig : Rig
-        That was recorded.
+        The rig that was recorded.
     joint : Joint, IdentifiedJoint, Identification or path
-        To be verified; an identification, and a joint.json, say its linear damping and up to which
-        slip force it was measured.
+        The joint to be verified; an identification or a joint.json also gives its linear damping
+        and the slip force up to which it was measured.
     recordings : Recording or sequence of Recording
         Steady records, with the channels that the rig names.
     frequency : float, optional
-        Of the drive, to 3 %, Hz; found without it.
+        Drive frequency, to 3 %, Hz; by default found from the records.
     harmonics : int
-        That are fitted and compared; 1 to 100.
+        Number of harmonics that are fitted and compared; 1 to 100.
     modes : int
-        Of the beam in the model.
+        Number of modes of the beam in the model.
     sine : bool
-        Whether the first harmonic of the force alone drives the model.
+        Whether only the first harmonic of the force drives the model.
     cycles : float
-        Kept as histories.
+        Number of cycles that are kept as histories.
     use_vibrometer, skip_faulty
         As of `reduce`.
     linear_damping : float, optional
-        beta of the joint, J/m**2, in place of what is known of it.
+        beta of the joint, J/m**2, in place of the identified one.
     draws : JointDraws, optional
-        What else the joint may be: bands of the prediction.
+        Posterior draws of the joint, for bands of the prediction.
     samples : int
-        Draws that are predicted; 0: none. 2/(1 - confidence) or more.
+        Number of draws that are predicted; 0: none, else 2/(1 - confidence) or more.
     seed, confidence
-        Of the draws; share of them in a band, in (0, 1).
+        Seed of the draws; share of them in a band, in (0, 1).
     frequency_std, loss_factor_std, normal_load_std, force_gain_std, acceleration_gain_std : float
         Relative standard deviations of the rig, 1, drawn with the joint.
     progress : callable, optional
         Called with (done, total) of records, then of draws; False cancels.
     strict : bool
-        Whether to raise where a prediction does not converge; without it a warning is issued.
+        Whether to raise where a prediction does not converge; otherwise a warning is issued.
 
     Returns
     -------
@@ -564,7 +567,7 @@ def verify(
     if draws is not None and not isinstance(draws, JointDraws):
         raise InputError(f"draws = {draws!r}; must be microslip.JointDraws")
     if draws is not None and not samples:
-        raise InputError("samples is 0; must say how many of the draws are predicted")
+        raise InputError("samples is 0; must be the number of draws to predict")
     count = whole(samples, "samples", 0, 1_000_000)
     spread = _spread_of_rig(count, {
         "frequency_std": frequency_std, "loss_factor_std": loss_factor_std,
@@ -591,4 +594,4 @@ def verify(
         summary=summary_of(found["summary"]),
         _csv=found["csv"],
     )
-    return told(result, strict)
+    return reported(result, strict)

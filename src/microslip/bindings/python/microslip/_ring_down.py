@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A mode's amplitude, frequency and damping over time, from its free decay."""
+"""Amplitude, frequency and damping of a mode over time, from its free decay."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ._errors import InputError
 from ._levels import Levels
 from ._plot import plot_ring_down
 from ._recordings import Recording
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told, warn_of
+from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of, warn_of
 
 if TYPE_CHECKING:
     import pandas
@@ -33,9 +33,9 @@ _MOTIONS = ("m", "m/s", "m/s^2")
 
 
 class RingDownSensor(NamedTuple):
-    """One of the sensors that saw a decay."""
+    """One of the sensors that recorded a decay."""
 
-    name: str  #: of the channel
+    name: str  #: name of the channel
     ratio: float  #: its amplitude over that of the first sensor, 1
     ratio_std: float  #: its standard deviation
     ratio_range: float  #: (largest - smallest)/mean of the ratio over the windows, 1
@@ -43,24 +43,24 @@ class RingDownSensor(NamedTuple):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RingDownLevels(Shown):
-    """What a decay tells of its joint, one entry a level by falling amplitude.
+    """Levels of a joint from a decay, one entry per level by falling amplitude.
 
     Attributes
     ----------
     amplitude, amplitude_std : ndarray
-        Of the joint's displacement and its standard deviation, m, shape (n,).
+        Amplitude of the joint's displacement and its standard deviation, m, shape (n,).
     dissipation, dissipation_std : ndarray or None
-        J a cycle; None without a modal mass.
+        D and its standard deviation, J per cycle; None without a modal mass.
     secant_stiffness, secant_stiffness_std : ndarray or None
-        N/m; None without the stiffness of the joint.
+        k_eq and its standard deviation, N/m; None without the stiffness of the joint.
     time : ndarray
-        s.
+        Time of the level, s.
     frequency, frequency_std : ndarray
-        Hz.
+        Frequency of the mode and its standard deviation, Hz.
     damping_ratio, damping_ratio_std : ndarray
-        Of the mode, linear part included, 1.
+        zeta of the mode, linear part included, and its standard deviation, 1.
     flags : tuple of str
-        Codes between blanks; docs/file_formats.md explains them under levels.csv.
+        Codes separated by blanks; docs/file_formats.md explains them under levels.csv.
     warnings : tuple of Note
         What was left out, and why.
     """
@@ -80,7 +80,7 @@ class RingDownLevels(Shown):
     warnings: tuple[Note, ...]
 
     def levels(self) -> Levels:
-        """The same for `identify`."""
+        """The levels as `Levels`, for `identify`."""
         if self.dissipation is None:
             raise InputError("dissipation is missing; give modal_mass to RingDown.levels")
         return Levels(
@@ -124,42 +124,42 @@ class RingDownLevels(Shown):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class RingDown(Shown):
-    """A mode over time, one entry a window, of shape (windows,). Windows overlap; two that are half
-    a window apart are all but independent.
+    """A mode over time, one entry per window, of shape (windows,). Windows overlap; two that are
+    half a window apart are nearly independent.
 
     Attributes
     ----------
     time : ndarray
         Centres of the windows, s, on the axis of the recording.
     amplitude, amplitude_std : ndarray
-        Of the displacement at the (first) sensor, m.
+        Amplitude of the displacement at the (first) sensor and its standard deviation, m.
     frequency, frequency_std : ndarray
-        Hz.
+        Frequency and its standard deviation, Hz.
     damping_ratio, damping_ratio_std : ndarray
         zeta = (delta - 2 omega'/omega)/omega, 1.
     loss, loss_std : ndarray
         2 pi zeta omega**2 A**2 = D/m, J/kg.
     window : ndarray
-        Lengths, s.
+        Lengths of the windows, s.
     flags : tuple of str
-        Codes between blanks: ``neighbour_leaks``, ``window_matters``, ``beats``, ``steady_tone``,
-        ``shape_moves``, ``sensors_differ``.
+        Codes separated by blanks: ``neighbour_leaks``, ``window_matters``, ``beats``,
+        ``steady_tone``, ``shape_moves``, ``sensors_differ``.
     from_, to : float
         The range in which the windows lie, s.
     start : float
         Where free decay begins, s.
     start_by : str
-        How it was found: ``"given"``, ``"record"``, ``"blow"`` or ``"fall"``.
+        How the start was found: ``"given"``, ``"record"``, ``"blow"`` or ``"fall"``.
     blow : float or None
-        The onset of the blow, s.
+        Onset of the blow, s.
     band : tuple of float
-        Hz: as given, or what the shortest window lets through.
+        Frequency band, Hz: as given, or the pass band of the shortest window.
     sensors : tuple of RingDownSensor
-        Those that were used.
+        The sensors that were used.
     noise_std : float
-        Of a sample, in the unit of the signal.
+        Standard deviation of the noise of a sample, in the unit of the signal.
     warnings : tuple of Note
-        What must be known.
+        Warnings that concern the result.
     summary : Summary
         Why the decay was followed no further.
     """
@@ -195,26 +195,26 @@ class RingDown(Shown):
         stick_frequency: Optional[float] = None,
         joint_stiffness: Optional[float] = None,
     ) -> RingDownLevels:
-        """Levels of the joint, half a window apart, so that they are all but independent.
+        """Levels of the joint, half a window apart, so that they are nearly independent.
 
         Parameters
         ----------
         modal_mass : float, optional
             m, kg, above 0: the mode's mass at the (first) sensor, 1/phi**2. Without it no
-            dissipation.
+            dissipation is computed.
         joint_ratio : float
             Joint displacement over displacement at the sensor, 1; not 0.
         loss_factor : float
-            eta of the linear part, 1; 0 or more. Its loss is taken off.
+            eta of the linear part, 1; 0 or more. Its loss is subtracted.
         stick_frequency : float, optional
-            The mode's frequency with the joint stuck, Hz; the highest of the decay without it.
+            The mode's frequency with the joint stuck, Hz; by default the highest of the decay.
         joint_stiffness : float, optional
             k of the stuck joint, N/m. With it, and the stick frequency, k_eq is given.
 
         Raises
         ------
         ValueError
-            Naming what breaks a rule.
+            Where a value breaks a rule; the message names it.
         """
         ratio = real(joint_ratio, "joint_ratio")
         state = {name: getattr(self, name) for name in _COLUMNS} | {"flags": list(self.flags)}
@@ -233,7 +233,7 @@ class RingDown(Shown):
         return _levels_of(_core.ring_down_levels(state, mass, ratio, loss, stick, stiffness))
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with a row a window."""
+        """A DataFrame with one row per window."""
         import pandas
 
         units = ("s", "m", "m", "Hz", "Hz", "1", "1", "J/kg", "J/kg", "s")
@@ -293,7 +293,7 @@ def _recording_of(signal: Any, fs: Any, time: Any, unit: Any) -> Recording:
 
 
 def _channels_of(recording: Recording, channel: Any) -> list[str]:
-    """The names given, or the only motion there is."""
+    """The given names, or that of the only motion channel."""
     if isinstance(channel, str):
         return [channel]
     if channel is not None:
@@ -326,37 +326,37 @@ def ring_down(
     largest_std: float = 0.1,
     strict: bool = True,
 ) -> RingDown:
-    """Follows the decay of one mode.
+    """Follows the free decay of one mode.
 
     Parameters
     ----------
     signal : Recording or array_like
-        Of displacement, velocity or acceleration, evenly sampled; an array has the shape (n,), in
+        Displacement, velocity or acceleration, evenly sampled; an array has the shape (n,), in
         `unit`.
     channel : str or sequence of str, optional
-        Of the recording: one, or several sensors of one blow, of which amplitudes are those of the
-        first; not needed where there is only one motion.
+        Channel of the recording, or several for the sensors of one blow; amplitudes are those of
+        the first. Not needed where there is only one motion.
     fs, time : optional
         Sampling rate, Hz, or times, s, of an array.
     unit : str, optional
-        Of an array: ``"m"``, ``"m/s"``, ``"m/s^2"``, ``"g"``, ...
+        Unit of an array: ``"m"``, ``"m/s"``, ``"m/s^2"``, ``"g"``, ...
     frequency : float, optional
-        Near which the mode is sought, within 10 %, Hz; the highest peak of the spectrum without it.
+        Frequency near which the mode is sought, within 10 %, Hz; by default the highest peak of the
+        spectrum.
     band : (low, high), optional
-        Hz: the mode is inside, what is outside is kept out.
+        Frequency band, Hz, that contains the mode; the rest is filtered out.
     from_, to : float, optional
         Where the free decay begins and ends, s on the axis of the recording.
     least_periods : float
-        The windows are as short as this where noise and other modes allow; 3 or more.
+        Shortest length of a window in periods, where noise and other modes allow it; 3 or more.
     least_fall, largest_fall : float
         ln of the ratio of amplitudes over the shortest and the longest window; above 0, up to 6.
     wanted_std : float
-        Of zeta over zeta, for which windows become longer, 1; above 0.
+        Relative standard deviation of zeta up to which windows are lengthened, 1; above 0.
     largest_std : float
-        The decay ends where the longest window does not keep to it, 1; above 0.
+        The decay ends where the longest window exceeds this standard deviation, 1; above 0.
     strict : bool
-        Whether to raise where the decay was not followed to its end; without it a warning is
-        issued.
+        Whether to raise where the decay was not followed to its end; otherwise a warning is issued.
 
     Returns
     -------
@@ -365,9 +365,9 @@ def ring_down(
     Raises
     ------
     ValueError
-        Naming what breaks a rule; where there is no decay above the noise.
+        Where a value breaks a rule, which the message names, or there is no decay above the noise.
     NotConverged
-        With the result as far as it got.
+        Where the decay was not followed to its end; holds the result up to there.
 
     Examples
     --------
@@ -404,4 +404,4 @@ def ring_down(
         summary=summary_of(found.pop("summary")),
         **found,
     )
-    return told(decay, strict)
+    return reported(decay, strict)

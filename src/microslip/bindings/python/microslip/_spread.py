@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is uncertain of a structure, and predictions by draws of it."""
+"""Uncertain parameters of a structure, and predictions by draws of them."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from ._draws import JointDraws
 from ._errors import InputError
 from ._structure import Structure
 
-#: Of each joint: one object for the only joint, one or None a joint, or by name.
+#: Draws of each joint: one object for the only joint, one or None per joint, or by name.
 DrawsOfJoints = Union[JointDraws, Sequence[Optional[JointDraws]], Mapping[str, JointDraws]]
 
 
 @dataclass(frozen=True, eq=False)
 class Spread:
-    """How uncertain the numbers of a structure are: standard deviations, relative, of logarithms.
+    """Uncertainties of the parameters of a structure: relative standard deviations, of logarithms.
 
     Parameters
     ----------
     frequency_std, loss_factor_std : float or array_like, optional
-        Of each mode by itself, 1; one for all or one a mode.
+        Of frequency and loss factor, independent between modes, 1; one for all or one per mode.
     normal_load_std : float or array_like, optional
-        Of what scales the slip forces of a joint, 1; one for all or one a joint.
+        Of the normal load, which scales the slip forces of a joint, 1; one for all or per joint.
     force_gain_std : float or array_like, optional
-        Of the reading of a force, 1; one for all or one an excitation.
+        Of the gain of the measured force, 1; one for all or one per excitation.
     response_gain_std : float
-        Of the reading of the response, 1.
+        Of the gain of the measured response, 1.
     """
 
     frequency_std: Optional[ArrayLike] = None
@@ -41,10 +41,10 @@ class Spread:
     def _dict(self, structure: Structure) -> dict[str, Any]:
         modes = len(structure.angular_frequency)
         counts = {
-            "frequency_std": (modes, "one a mode"),
-            "loss_factor_std": (modes, "one a mode"),
-            "normal_load_std": (len(structure.joints), "one a joint"),
-            "force_gain_std": (len(structure._core.excitations()), "one an excitation"),
+            "frequency_std": (modes, "one per mode"),
+            "loss_factor_std": (modes, "one per mode"),
+            "normal_load_std": (len(structure.joints), "one per joint"),
+            "force_gain_std": (len(structure._core.excitations()), "one per excitation"),
         }
         columns: dict[str, Any] = {
             name: None if (value := getattr(self, name)) is None else
@@ -55,28 +55,28 @@ class Spread:
 
 
 class PeakBand(NamedTuple):
-    """A peak of a curve, and where those of the draws lie."""
+    """A peak of a curve, with its band over the draws."""
 
     frequency: float  #: Hz
-    frequency_lower: float  #: of the draws, Hz
+    frequency_lower: float  #: band of the draws, Hz
     frequency_upper: float
-    height: float  #: response, or force where the response is kept
-    height_lower: float  #: of the draws
+    height: float  #: response, or force at constant response
+    height_lower: float  #: band of the draws
     height_upper: float
-    draws: int  #: that have the peak
+    draws: int  #: number of draws that have the peak
 
 
 def drawn(structure: Structure, draws: Optional[DrawsOfJoints], samples: object, seed: object,
           confidence: object, correlation: object,
           spread: Optional[Spread]) -> Optional[dict[str, Any]]:  # fmt: skip
-    """What the compiled half takes; None where nothing is drawn."""
+    """The draws as the compiled half takes them; None without draws."""
     count = whole(samples, "samples", 0, 1_000_000)
     if spread is not None and not isinstance(spread, Spread):
         raise InputError(f"spread = {spread!r}; must be a microslip.Spread")
     if count == 0:
         for name, value in (("draws", draws), ("spread", spread)):
             if value is not None:
-                raise InputError(f"samples is 0; must say how many draws are predicted, as {name} is"
+                raise InputError(f"samples is 0; must be the number of draws, as {name} is"
                                  " given")  # fmt: skip
         return None
     return {
@@ -91,25 +91,25 @@ def drawn(structure: Structure, draws: Optional[DrawsOfJoints], samples: object,
 
 
 def _of_joints(structure: Structure, draws: Any) -> Optional[list[Any]]:
-    """None where those that a model.toml names are meant."""
+    """Draws per joint; None for those that the model.toml names."""
     names = [joint.name or "" for joint in structure.joints]
     if draws is None:
         return None
     if isinstance(draws, Mapping):
         for name in draws:
             if name not in names:
-                raise InputError(f"draws has {name!r}; must be of joints, {', '.join(names)}")
+                raise InputError(f"draws has {name!r}; must be names of joints: {', '.join(names)}")
         draws = [draws.get(name) for name in names]
     given = [draws] if isinstance(draws, JointDraws) else draws
     if isinstance(given, (str, bytes)) or not isinstance(given, Sequence):
         raise InputError(f"draws = {draws!r}; must be microslip.JointDraws, or a list of them")
     if len(given) != len(names):
-        raise InputError(f"draws has {len(given)}; must have {len(names)}, one a joint")
+        raise InputError(f"draws has {len(given)}; must have {len(names)}, one per joint")
     for i, one in enumerate(given):
         if one is not None and not isinstance(one, JointDraws):
             raise InputError(f"draws[{i}] = {one!r}; must be microslip.JointDraws or None")
     return [None if one is None else one._core for one in given]
 
 
-#: Lower and upper end of a band, one value a point each.
+#: Lower and upper end of a band, one value per point each.
 Band = tuple[RealArray, RealArray]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Linear structures by their modes, the joints in them and what drives them."""
+"""Linear structures by their modes, their joints and their excitations."""
 
 from __future__ import annotations
 
@@ -42,14 +42,14 @@ from ._results import Note, Shown, notes, si, warn
 
 @dataclass(frozen=True, eq=False)
 class Base:
-    """A motion of all supports together, as a shaker table makes it.
+    """A common motion of all supports, as of a shaker table.
 
     Parameters
     ----------
     participation : array_like
-        Gamma_i = phi_i' M r, kg**0.5; one a mode.
+        Gamma_i = phi_i' M r, kg**0.5; one per mode.
     point_motion : mapping of str to float, optional
-        How far each point moves with a base that moves by 1; 1 where it is not named.
+        Displacement of each point with a base that moves by 1; 1 where it is not named.
     """
 
     participation: ArrayLike
@@ -64,27 +64,27 @@ class Base:
 
 @dataclass(frozen=True, eq=False)
 class StructuralJoint:
-    """A joint and how it sits in a structure of modes q_i.
+    """A joint and its place in a structure with modes q_i.
 
     Parameters
     ----------
     joint : Joint, IdentifiedJoint or Identification
-        F(u). What an identification found beside it is taken along: its linear damping, and up to
-        where its levels reach, beyond which predictions warn.
+        F(u). An identification also gives its linear damping and the range of its levels, beyond
+        which predictions warn.
     shape : array_like
-        psi_i, relative displacement across the joint over q_i, kg**-0.5; one a mode.
+        psi_i, relative displacement across the joint over q_i, kg**-0.5; one per mode.
     name : str, optional
-        No two the same; ``joint1``, ``joint2``, ... without it.
+        Unique name; by default ``joint1``, ``joint2``, ...
     spring_in_modes : float
         Stiffness between its ends that the modes were computed with, N/m; 0 or more, for instance k
-        where they are those of the stuck structure. It is taken out again.
+        where they are those of the stuck structure. It is subtracted.
     series_compliance : float
-        Of what lies in series with the joint, m/N; 0 or more.
+        Compliance in series with the joint, m/N; 0 or more.
     shortening : array_like, optional
-        Gamma_ij, 1/(kg m), shape (modes, modes), symmetric. [AR14 (12)]
+        Gamma_ij of the geometric shortening, 1/(kg m), shape (modes, modes), symmetric. [AR14 (12)]
     linear_damping : float, optional
-        beta: loses beta*A**2 a cycle beside F, J/m**2; 0 or more. That of the identification
-        without it, else 0.
+        beta of a loss beta*A**2 per cycle in addition to F, J/m**2; 0 or more. By default that of
+        the identification, else 0.
     """
 
     joint: AnyJoint
@@ -105,12 +105,12 @@ class StructuralJoint:
             array = real_array(shortening, f"{name}: shortening", ndim=2)
             if array.shape != (modes, modes):
                 raise InputError(f"{name}: shortening has the shape {array.shape}; must have"
-                                 f" {(modes, modes)}, one a pair of modes")  # fmt: skip
+                                 f" {(modes, modes)}, one per pair of modes")  # fmt: skip
             shortening = array.reshape(-1)
         return {
             "name": name,
             "joint": of.joint._core,
-            "shape": real_array(self.shape, f"{name}: shape", length=modes, per="one a mode"),
+            "shape": real_array(self.shape, f"{name}: shape", length=modes, per="one per mode"),
             "spring_in_modes": not_negative(self.spring_in_modes, f"{name}: spring_in_modes"),
             "series_compliance": not_negative(self.series_compliance, f"{name}: series_compliance"),
             "shortening": shortening,
@@ -125,36 +125,36 @@ Excitation = Union[str, Mapping[str, ArrayLike]]
 
 
 class Structure(Shown):
-    """A linear structure in modal form, its joints and what drives it. Immutable.
+    """A linear structure in modal form, its joints and its excitation. Immutable.
 
     Parameters
     ----------
     frequency : array_like
-        Natural frequencies of the linear part, without the joints, Hz, shape (modes,); 0 of rigid
-        bodies.
+        Natural frequencies of the linear part, without the joints, Hz, shape (modes,); 0 for
+        rigid-body modes.
     points : mapping of str to array_like
-        Named places: mass-normalised shapes, kg**-0.5, one a mode.
+        Named places: mass-normalised shapes, kg**-0.5, one per mode.
     damping_ratio : float or array_like, optional
-        zeta of viscous damping, 1; one for all or one a mode. Or
+        zeta of viscous damping, 1; one for all or one per mode. Or
     loss_factor : float or array_like, optional
-        eta of hysteretic damping, 1; likewise.
+        eta of hysteretic damping, 1; one for all or one per mode.
     joints : sequence of StructuralJoint
-        May be empty: a linear structure.
+        Joints; may be empty for a linear structure.
     excitation : str or mapping, optional
         The point that is driven, or the base that is accelerated; or such places with the complex
-        harmonics s_1, s_2, ... of the common amplitude. The first point without it.
+        harmonics s_1, s_2, ... of the common amplitude. By default the first point.
     bases : mapping of str to Base, optional
         Supports that may be accelerated.
     static_loads : mapping of str to float, optional
-        Forces at points, N, or accelerations of bases, m/s**2, that act for ever.
+        Constant forces at points, N, or accelerations of bases, m/s**2.
     static_attachments : int, optional
-        How many of the modes, the last, stand for the static flexibility of those left out; 0:
-        none are left out. Without it predictions judge what modes above would change.
+        How many of the last modes represent the static flexibility of those left out; 0: none are
+        left out. By default predictions estimate the effect of missing modes.
 
     Raises
     ------
     ValueError
-        Naming what breaks a rule.
+        Where a value breaks a rule; the message names it.
 
     Examples
     --------
@@ -216,29 +216,29 @@ class Structure(Shown):
 
     @classmethod
     def read(cls, path: Path) -> Structure:
-        """The structure of a model.toml with its joint files. @see docs/file_formats.md"""
+        """Reads the structure of a model.toml with its joint files. See docs/file_formats.md."""
         return cls._of(_core.read_structure(path_of(path, "path")))
 
     def with_joints(self, joints: Sequence[Union[AnyJoint, StructuralJoint]]) -> Structure:
-        """The same with other joints.
+        """This structure with other joints.
 
         Parameters
         ----------
         joints : sequence
-            As many as there are, which take their places: each a `Joint`, `IdentifiedJoint` or
-            `Identification`, or a `StructuralJoint` with a place of its own. A linear damping that
-            an old joint had from its identification goes with it; one that the structure says itself
-            stays. Or any number of `StructuralJoint`.
+            As many as there are, which replace them in order: each a `Joint`, `IdentifiedJoint` or
+            `Identification`, or a `StructuralJoint` with its own place. A linear damping from the
+            identification of the old joint is dropped; one given in the structure itself stays. Or
+            any number of `StructuralJoint`.
         """
         given = sequence(joints, "joints", "joints")
         old = self._core.joints()
-        told = self._core.told()
+        further = self._core.further_data()
         if not all(isinstance(joint, StructuralJoint) for joint in given) and len(given) != len(old):
-            raise InputError(f"joints has {len(given)}; must have {len(old)}, one a joint of the"
+            raise InputError(f"joints has {len(given)}; must have {len(old)}, one per joint of the"
                              " structure")  # fmt: skip
-        told |= {"joint_samples": [], "damping_said": []}
+        further |= {"joint_samples": [], "damping_given": []}
         if len(given) != len(old):
-            told["spread"]["normal_load"] = []
+            further["spread"]["normal_load"] = []
         parts = [
             joint if isinstance(joint, StructuralJoint) else _in_place_of(part, joint)
             for joint, part in zip(given, old)
@@ -246,7 +246,7 @@ class Structure(Shown):
         modes = len(self.angular_frequency)
         return Structure._of(
             _core.Structure(self._core.linear(), _joint_parts(parts, modes), self._core.excitations(),
-                            self._core.damping, self._core.static_loads(), told)  # fmt: skip
+                            self._core.damping, self._core.static_loads(), further)  # fmt: skip
         )
 
     @property
@@ -257,12 +257,12 @@ class Structure(Shown):
 
     @property
     def frequency(self) -> RealArray:
-        """Of the linear part, Hz, shape (modes,)."""
+        """Natural frequencies of the linear part, Hz, shape (modes,)."""
         return self.angular_frequency / (2.0 * np.pi)
 
     @property
     def loss_factor(self) -> RealArray:
-        """eta of the linear part, 1, shape (modes,); with viscous damping twice its ratio."""
+        """eta of the linear part, 1, shape (modes,); with viscous damping 2 zeta."""
         array: RealArray = self._core.linear()["loss_factor"]
         return array
 
@@ -273,32 +273,32 @@ class Structure(Shown):
 
     @property
     def points(self) -> dict[str, RealArray]:
-        """Shapes by name, kg**-0.5."""
+        """Mass-normalised shapes by name of the point, kg**-0.5."""
         return dict(self._core.linear()["points"])
 
     @property
     def joints(self) -> tuple[StructuralJoint, ...]:
-        """In the order given."""
+        """The joints, in the order given."""
         return tuple(_placed(part) for part in self._core.joints())
 
     @property
     def base_driven(self) -> bool:
-        """Whether what drives it are accelerations of bases, m/s**2, and not forces, N."""
+        """Whether it is excited by accelerations of bases, m/s**2, and not by forces, N."""
         return self._core.base_driven
 
     def stuck_frequencies(self) -> RealArray:
-        """Natural frequencies with all joints stuck, Hz, rising: where the resonances are at small
+        """Natural frequencies with all joints stuck, Hz, rising: the resonances at small
         amplitude."""
         return self._core.stuck_frequencies() / (2.0 * np.pi)
 
     def stuck_mode(self, mode: int) -> RealArray:
-        """The shape of such a vibration over the modes, of length 1; by frequency, from 0."""
+        """Modal coordinates of stuck mode `index`, of length 1; by frequency, from 0."""
         return self._core.stuck_mode(whole(mode, "mode"))
 
     def __reduce__(self) -> tuple[Any, ...]:
         core = self._core
         return _structure_of, (core.linear(), self.joints, core.excitations(), core.damping,
-                               core.static_loads(), core.told())  # fmt: skip
+                               core.static_loads(), core.further_data())  # fmt: skip
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         stuck = self.stuck_frequencies()
@@ -315,7 +315,7 @@ class Structure(Shown):
 
 
 def _placed(part: dict[str, Any]) -> StructuralJoint:
-    """A joint of the compiled half as it was given."""
+    """A joint of the compiled half as the user gave it."""
     joint = Joint._of(part["joint"])
     damping, reach = part["identified_damping"], part["covered_to"]
     if damping is not None or reach is not None:
@@ -327,26 +327,26 @@ def _placed(part: dict[str, Any]) -> StructuralJoint:
 
 
 def _in_place_of(part: dict[str, Any], joint: AnyJoint) -> StructuralJoint:
-    """Another joint in the place of a part of the compiled half."""
-    said = part["linear_damping"] != (part["identified_damping"] or 0.0)
+    """A part of the compiled half with its joint replaced."""
+    given = part["linear_damping"] != (part["identified_damping"] or 0.0)
     return StructuralJoint(joint, part["shape"], part["name"], part["spring_in_modes"],
                            part["series_compliance"], part["shortening"],
-                           part["linear_damping"] if said else None)  # fmt: skip
+                           part["linear_damping"] if given else None)  # fmt: skip
 
 
 def _structure_of(linear: Any, joints: Any, excitations: Any, damping: str, loads: Any,
-                  told: Any) -> Structure:  # fmt: skip
+                  further: Any) -> Structure:  # fmt: skip
     parts = _joint_parts(joints, len(linear["angular_frequency"]))
-    return Structure._of(_core.Structure(linear, parts, excitations, damping, loads, told))
+    return Structure._of(_core.Structure(linear, parts, excitations, damping, loads, further))
 
 
 def _shapes(points: object, modes: int) -> dict[str, RealArray]:
     shapes = {
-        name: real_array(shape, f"points[{name!r}]", length=modes, per="one a mode")
+        name: real_array(shape, f"points[{name!r}]", length=modes, per="one per mode")
         for name, shape in mapping(points, "points").items()
     }
     if not shapes:
-        raise InputError("points is empty; must have at least one place")
+        raise InputError("points is empty; must name at least one point")
     return shapes
 
 
@@ -354,10 +354,10 @@ def _damping(ratio: object, loss: object, modes: int) -> tuple[str, RealArray]:
     if ratio is not None and loss is not None:
         raise InputError("damping_ratio and loss_factor are both given; must be one of them")
     if loss is not None:
-        return "hysteretic", broadcast(loss, "loss_factor", modes, "one a mode")
+        return "hysteretic", broadcast(loss, "loss_factor", modes, "one per mode")
     if ratio is None:
         return "viscous", np.zeros(modes)
-    return "viscous", 2.0 * broadcast(ratio, "damping_ratio", modes, "one a mode")
+    return "viscous", 2.0 * broadcast(ratio, "damping_ratio", modes, "one per mode")
 
 
 def _bases(bases: object, points: list[str], modes: int) -> list[tuple[str, RealArray, RealArray]]:
@@ -369,13 +369,13 @@ def _bases(bases: object, points: list[str], modes: int) -> list[tuple[str, Real
             raise InputError(f"bases[{name!r}] = {shown(base)}; must be a microslip.Base")
         for point in base.point_motion:
             if point not in points:
-                raise InputError(f"bases[{name!r}]: point_motion has {point!r}; must be of points,"
+                raise InputError(f"bases[{name!r}]: point_motion has {point!r}; must name points:"
                                  f" {', '.join(points)}")  # fmt: skip
         motion = np.array(
             [real(base.point_motion.get(point, 1.0), f"point_motion[{point!r}]") for point in points]
         )
         participation = real_array(base.participation, f"bases[{name!r}]: participation",
-                                   length=modes, per="one a mode")  # fmt: skip
+                                   length=modes, per="one per mode")  # fmt: skip
         all_of_them.append((name, participation, motion))
     return all_of_them
 
@@ -402,35 +402,35 @@ def _excitations(excitation: object) -> list[tuple[str, ComplexArray]]:
 
 
 class Compliance(NamedTuple):
-    """How much a place gives way under a constant force."""
+    """Static compliance at a place."""
 
     name: str
     place: str  #: ``"joint"``, ``"point"`` or ``"base"``
-    exact: float  #: of the matrices, m/N
+    exact: float  #: from the matrices, m/N
     in_modes: float  #: of the modes alone, m/N
     in_model: float  #: of modes and static attachments, m/N
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Modes(Shown):
-    """A structure by its modes, from matrices.
+    """The modes of a structure, from matrices.
 
     Attributes
     ----------
     frequency : ndarray
-        Hz; of the modes, then of static attachments.
+        Frequencies of the modes, then of static attachments, Hz.
     points : dict of str to ndarray
         Mass-normalised shapes, kg**-0.5.
     joint_shapes : dict of str to ndarray
         psi of each joint, kg**-0.5.
     static_attachments : int
-        How many of the modes, the last, are attachments.
+        How many of the last modes are attachments.
     bases : dict of str to Base
-        That may be accelerated.
+        Supports that may be accelerated.
     compliances : tuple of Compliance
-        What the model lacks at joints and points.
+        Static compliance of matrices and model at joints and points.
     warnings : tuple of Note
-        What must be known.
+        Warnings that concern the result.
     """
 
     frequency: RealArray
@@ -456,7 +456,7 @@ class Modes(Shown):
         Parameters
         ----------
         joints : mapping of str to Joint, IdentifiedJoint or Identification
-            Of each name that `modes` was given.
+            One for each name that was given to `modes`.
         """
         named = mapping(joints, "joints")
         if set(named) != set(self.joint_shapes):
@@ -503,32 +503,32 @@ def modes(
     attached_points: Sequence[str] = (),
     progress: Optional[Progress] = None,
 ) -> Modes:
-    """The modes of a structure from its matrices.
+    """Computes the modes of a structure from its matrices.
 
     Parameters
     ----------
     stiffness, mass : array_like or scipy sparse
-        K [N/m] and M [kg] without the joints, shape (n, n), symmetric; of sparse matrices entries
-        of one place add up.
+        K [N/m] and M [kg] without the joints, shape (n, n), symmetric; duplicate entries of sparse
+        matrices add up.
     points : mapping of str to int
         The row, from 0, of each place that is driven or measured.
     joints : mapping of str to (row or None, row, float)
         The rows between which a joint sits, None for the ground, and its k, N/m: the displacement
         of the second less that of the first.
     held : sequence of int
-        Rows that do not move.
+        Fixed rows.
     bases : mapping of str to sequence of int
         Rows that move by 1 with a base.
     count : int, optional
-        So many modes, or
+        Number of modes, or
     highest_frequency : float, optional
-        all up to this, Hz.
+        frequency up to which all are computed, Hz.
     stuck : bool
         Whether the joints are springs of their k while modes are computed.
     attachment : bool
-        Whether to add static shapes so that few modes suffice at the joints.
+        Whether to add static attachment shapes so that few modes suffice at the joints.
     attached_points : sequence of str
-        Points that get one, too.
+        Points that also get a static attachment shape.
     progress : callable, optional
         Called with (done, total); False cancels.
 
@@ -539,7 +539,8 @@ def modes(
     Raises
     ------
     ValueError
-        Naming what breaks a rule: matrices that are not symmetric, for instance.
+        Where a value breaks a rule, for instance matrices that are not symmetric; the message names
+        it.
     """
     size, k_entries = _entries(stiffness, "stiffness")
     mass_size, m_entries = _entries(mass, "mass")
@@ -555,7 +556,7 @@ def modes(
         "joints": between,
     }  # fmt: skip
     if not on_it["points"]:
-        raise InputError("points is empty; must have at least one place")
+        raise InputError("points is empty; must name at least one point")
     highest = None if highest_frequency is None else positive(highest_frequency, "highest_frequency")
     options = {
         "count": None if count is None else whole(count, "count", 1),
@@ -601,7 +602,7 @@ def _joints_between(joints: object, size: int) -> list[tuple[str, Optional[int],
 
 
 def _entries(matrix: Any, name: str) -> tuple[int, tuple[Any, Any, RealArray]]:
-    """Entries on and below the diagonal, after a look at symmetry."""
+    """Entries on and below the diagonal, after a check of symmetry."""
     if hasattr(matrix, "tocoo"):
         coo = matrix.tocoo(copy=True)
         coo.sum_duplicates()
@@ -623,7 +624,7 @@ def _entries(matrix: Any, name: str) -> tuple[int, tuple[Any, Any, RealArray]]:
 
 
 def _check_symmetry(rows: Any, columns: Any, values: RealArray, size: int, name: str) -> None:
-    """As of matrices in files: to 1e-10 of the largest entry, 0 where none is."""
+    """Tolerance of symmetry as of matrices in files: 1e-10 of the largest entry, or 0."""
     place = rows.astype(np.int64) * size + columns
     mirror = columns.astype(np.int64) * size + rows
     both, at = np.unique(np.concatenate((place, mirror)), return_inverse=True)
@@ -633,4 +634,4 @@ def _check_symmetry(rows: Any, columns: Any, values: RealArray, size: int, name:
         return
     row, column = divmod(int(both[np.argmax(off)]), size)
     raise InputError(f"{name}[{row}, {column}] differs from {name}[{column}, {row}]; must be symmetric."
-                     " Take (K + K.T)/2 where that is rounding.")  # fmt: skip
+                     " Take (K + K.T)/2 where the difference is rounding.")  # fmt: skip

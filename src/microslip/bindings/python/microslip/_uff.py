@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Recordings of datasets 58 of universal files, as the dictionaries that pyuff reads."""
+"""Converts datasets 58 of universal files, as dictionaries of pyuff, to recordings."""
 
 from __future__ import annotations
 
@@ -23,28 +23,28 @@ _WHOLE_OF_QUANTITY = ("spec_data_type", "len_unit_exp", "force_unit_exp", "temp_
 
 def recordings_from_uff(functions: Union[Mapping[str, Any], Sequence[Mapping[str, Any]]], *,
                       source: str = "pyuff") -> list[Recording]:  # fmt: skip
-    """Recordings of datasets 58 as dictionaries of pyuff.
+    """Converts datasets 58, as dictionaries of pyuff, to recordings.
 
     Parameters
     ----------
     functions : mapping or sequence of mapping
         With ``type`` 58, ``data``, and ``x`` or, with ``abscissa_spacing`` 1, ``abscissa_min`` and
-        ``abscissa_inc``; what else pyuff has is taken: labels of units, types of data, nodes,
+        ``abscissa_inc``; other keys of pyuff are used too: labels of units, types of data, nodes,
         ``id1`` to ``id5``. Sets of other types are left out.
     source : str
-        Of the recordings.
+        Source of the recordings.
 
     Returns
     -------
     list of Recording
-        Functions that follow each other over one axis are one, as `read_recordings` reads the same
-        from a universal file; a step that is one over a whole number of hertz to five digits is
-        that.
+        Consecutive functions over one axis form one recording, as `read_recordings` does for a
+        universal file; a step that is one over a whole number of hertz to five digits is rounded to
+        it.
 
     Raises
     ------
     ValueError
-        Naming the key that is missing or of no such kind.
+        Where a key is missing or of the wrong kind; the message names it.
     """
     given = [functions] if isinstance(functions, Mapping) else sequence(functions, "functions",
                                                                         "mappings")  # fmt: skip
@@ -62,7 +62,7 @@ def recordings_from_uff(functions: Union[Mapping[str, Any], Sequence[Mapping[str
 
 
 def _label(value: object, name: str) -> str:
-    """NONE and blanks say nothing."""
+    """The text of a key; NONE and blanks count as empty."""
     if value is None:
         return ""
     if not isinstance(value, str):
@@ -107,6 +107,6 @@ def _abscissa(function: Mapping[str, Any], at: str, points: int) -> dict[str, An
                 "abscissa_min": real(function.get("abscissa_min", 0.0), f"{at}: abscissa_min"),
                 "abscissa_inc": real(function["abscissa_inc"], f"{at}: abscissa_inc")}  # fmt: skip
     if function.get("x") is None:
-        raise InputError(f"{at}: x is missing; must be an array, one a point")
-    x = real_array(function["x"], f"{at}: x", length=points, per="one a value")
+        raise InputError(f"{at}: x is missing; must be an array, one per point")
+    x = real_array(function["x"], f"{at}: x", length=points, per="one per value")
     return {"abscissa_spacing": 0, "x": x, "abscissa_min": 0.0, "abscissa_inc": 0.0}

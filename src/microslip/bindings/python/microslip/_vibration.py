@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Steady vibrations by harmonic balance: frequency responses, backbones."""
+"""Steady vibrations by harmonic balance: frequency responses and backbones."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from ._arguments import (
 from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._plot import plot_curve
-from ._results import Note, Shown, Summary, notes, outcome, si, summary_of, told
+from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
 from ._spread import Band, DrawsOfJoints, PeakBand, Spread, drawn
 from ._structure import Structure
 
@@ -46,13 +46,13 @@ class JointCycles:
     ----------
     name : str
     amplitude : ndarray
-        Half of the range of u, m, shape (points,).
+        Half the range of u, m, shape (points,).
     dissipation : ndarray
-        D, all that the joint loses, J per cycle, shape (points,).
+        D, the whole loss of the joint, J per cycle, shape (points,).
     linear_dissipation : ndarray
-        What of D is not slip, J per cycle, shape (points,).
+        The part of D that is not slip, J per cycle, shape (points,).
     reversals : ndarray
-        In a cycle, shape (points,); 2 without inner loops.
+        Reversals per cycle, shape (points,); 2 without inner loops.
     displacement, force : ndarray
         Harmonics 0 to H, factors of exp(i n omega t), m and N, shape (points, H + 1).
     """
@@ -73,23 +73,23 @@ class Vibrations:
     Attributes
     ----------
     frequency : ndarray
-        Hz, shape (points,).
+        Frequency, Hz, shape (points,).
     force : ndarray
         Amplitude of the excitation, N, or m/s**2 of a base, shape (points,).
     response : ndarray
         Amplitude of the first harmonic at the response point, in its kind, shape (points,).
     phase_lag : ndarray
-        Of the displacement there behind the force, rad, in (-pi, pi], shape (points,).
+        Phase lag of the displacement there behind the force, rad, in (-pi, pi], shape (points,).
     damping_ratio : ndarray
-        By the energy that a cycle loses, 1, shape (points,).
+        Damping ratio from the energy lost per cycle, 1, shape (points,).
     input_energy, linear_dissipation : ndarray
-        J per cycle, shape (points,). [AR14 (15) to (17)]
+        Energy fed in and lost by the linear part, J per cycle, shape (points,). [AR14 (15) to (17)]
     energy_imbalance : ndarray
-        How well the equations are solved, 1, shape (points,).
+        Residual of the energy balance, 1, shape (points,): how well the equations are solved.
     modal : ndarray
-        q_i,n, kg**0.5 m, shape (points, modes, H + 1).
+        Harmonics q_i,n, kg**0.5 m, shape (points, modes, H + 1).
     joints : tuple of JointCycles
-        One a joint of the structure.
+        One per joint of the structure.
     """
 
     frequency: RealArray
@@ -118,9 +118,9 @@ class ResponseCurve(Shown):
     peaks : Vibrations
         Local maxima of the response over the force.
     peak_points, turning_points : ndarray of int
-        Which of the points are peaks; where the curve turns back.
+        Indices of the points that are peaks, and of those where the curve turns back.
     warnings : tuple of Note
-        What must be known.
+        Warnings that concern the result.
     summary : Summary
         Why the curve ended, and where.
     """
@@ -136,17 +136,17 @@ class ResponseCurve(Shown):
 
     @property
     def frequency(self) -> RealArray:
-        """Of the points, Hz."""
+        """Frequencies of the points, Hz."""
         return self.points.frequency
 
     @property
     def response(self) -> RealArray:
-        """Of the points, in the kind that was asked for."""
+        """Responses of the points, in the requested kind."""
         return self.points.response
 
     @property
     def unit(self) -> str:
-        """Of the response: ``"m"``, ``"m/s"`` or ``"m/s^2"``."""
+        """Unit of the response: ``"m"``, ``"m/s"`` or ``"m/s^2"``."""
         return _UNITS[self._kind]
 
     def displacement(self, point: str) -> ComplexArray:
@@ -184,7 +184,7 @@ class ResponseCurve(Shown):
         )  # fmt: skip
 
     def _response_band(self) -> Optional[Band]:
-        """Of the response, where there are draws of it."""
+        """Band of the response, where there are draws."""
         return None
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
@@ -202,17 +202,17 @@ class ResponseCurve(Shown):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ResponseBand(ResponseCurve):
-    """A curve over the frequency with what draws make of it: a `ResponseCurve` with
+    """A curve over the frequency with its band over draws: a `ResponseCurve` with
 
     Attributes
     ----------
     lower, upper : ndarray
-        Between which the draws have the response, or the force where the response is kept, at the
-        frequency of each point, shape (points,).
+        Band of the response, or of the force at constant response, at the frequency of each point,
+        shape (points,).
     peak_bands : tuple of PeakBand
-        One a peak.
+        One per peak.
     failures : tuple of (str, int)
-        Why draws failed, and how many: they are in no band.
+        Reasons why draws failed, and how many; these are in no band.
     """
 
     lower: RealArray
@@ -227,14 +227,14 @@ class ResponseBand(ResponseCurve):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class BackboneBand(ResponseCurve):
-    """Resonances with what draws make of them: a `ResponseCurve` with
+    """Resonances with their bands over draws: a `ResponseCurve` with
 
     Attributes
     ----------
     force_band, frequency_band, damping_ratio_band : (ndarray, ndarray)
-        Lower and upper end, N, Hz and 1, one value a point each.
+        Lower and upper end, N, Hz and 1, one value per point each.
     failures : tuple of (str, int)
-        Why draws failed, and how many: they are in no band.
+        Reasons why draws failed, and how many; these are in no band.
     """
 
     force_band: Band
@@ -250,9 +250,9 @@ class Vibration(Shown):
     Attributes
     ----------
     points : Vibrations
-        Of length 1.
+        The vibration, of length 1.
     summary : Summary
-        How it was found.
+        How the solution ended.
     """
 
     points: Vibrations
@@ -278,30 +278,30 @@ class HarmonicBalance:
     Parameters
     ----------
     structure : Structure
-        What vibrates.
+        The vibrating structure.
     point : str, optional
-        Where the response is measured; without it as a model.toml says, else where it is driven, or
-        the first point where a base drives.
+        Point where the response is measured; by default that of the model.toml, else the driven
+        point, or the first point with a base excitation.
     kind : {"displacement", "velocity", "acceleration"}
-        Of the response.
+        Kind of the response.
     harmonics : int
-        H: harmonics 0 to H are kept; 1 or more. 3 serve where the joint hardly slips, 9 in
+        H: harmonics 0 to H are kept; 1 or more. 3 suffice where the joint hardly slips, 9 in
         macro-slip.
     samples : int
-        Of a cycle for the joint forces; 2 H + 2 or more.
+        Samples per cycle for the joint forces; 2 H + 2 or more.
     tolerance : float
         Largest residual, relative, 1; 1e-14 to 1e-4.
     max_iterations : int
         Evaluations of the equations that one solution may take; 2 or more.
     largest_change : float
-        Of the response from one point of a curve to the next, relative, 1; in (0, 1].
+        Largest change of the response between points of a curve, relative, 1; in (0, 1].
     least_points, max_points : int
-        Of a curve.
+        Numbers of points of a curve.
     accuracy : float
-        How far the polygon through the points may lie beside the curve, relative to its peak, 1; 0:
+        Largest interpolation error of the polygon through the points, relative to the peak, 1; 0:
         no points are added.
     frequencies : array_like, optional
-        Where a curve over the frequency is to have points as well, Hz.
+        Additional frequencies of points of a curve over the frequency, Hz.
     modal_forcing : bool
         Whether a force on every mode keeps the vibration up, which leaves nonlinear modes. [Krack
         2015]
@@ -374,29 +374,30 @@ class HarmonicBalance:
         force : float
             Amplitude, N, or m/s**2 of a base; above 0.
         from_, to : float
-            Hz, either way round.
-        draws : JointDraws, or one or None a joint, or mapping of names, optional
-            What else the joints may be. A linear damping that was drawn with them counts.
+            Ends of the curve, Hz, in either order.
+        draws : JointDraws, or one or None per joint, or mapping of names, optional
+            Posterior draws of the joints; a linear damping drawn with them is used.
         samples : int
-            Predictions by draws of `draws` and `spread`; 0: none, else 2/(1 - confidence) or more.
+            Number of predictions by draws of `draws` and `spread`; 0: none, else
+            2/(1 - confidence) or more.
         seed : int
-            Of the draws.
+            Seed of the draws.
         confidence : float
             Share of the draws in a band, in (0, 1).
         correlation : {"auto", "together", "independent"}
-            Whether draws of several joints belong together by number: where one calibration drew
+            Whether draws of several joints are paired by number: only where one calibration drew
             them, always, never.
         spread : Spread, optional
-            What else is uncertain.
+            Further uncertainties.
         progress : callable, optional
             Called with (done, total), with draws of these afterwards; False cancels.
         strict : bool
-            Whether to raise where the curve did not reach its end; without it a warning is issued.
+            Whether to raise where the curve did not reach its end; otherwise a warning is issued.
 
         Returns
         -------
         ResponseCurve
-            With draws a `ResponseBand`, unless the curve did not converge.
+            A `ResponseBand` with draws, unless the curve did not converge.
 
         Raises
         ------
@@ -421,8 +422,8 @@ class HarmonicBalance:
         progress: Optional[Progress] = None,
         strict: bool = True,
     ) -> ResponseCurve:
-        """The curve over the frequency at constant response, of which the force is found. [AR14
-        Fig. 4] Parameters as of `frequency_response`; `response` in the kind of this object."""
+        """The force over the frequency at constant response. [AR14 Fig. 4] Parameters as of
+        `frequency_response`; `response` in the kind of this object."""
         strict = flag(strict, "strict")
         asked = drawn(self.structure, draws, samples, seed, confidence, correlation, spread)
         kept = positive(response, "response")
@@ -443,18 +444,18 @@ class HarmonicBalance:
         progress: Optional[Progress] = None,
         strict: bool = True,
     ) -> ResponseCurve:
-        """The vibrations in phase resonance.
+        """The backbone: vibrations in phase resonance.
 
         Parameters
         ----------
         response : array_like
             Amplitudes, in the kind of this object, shape (n,); above 0, rising.
         mode : int
-            Of the stuck structure, by frequency, from 0.
+            Mode of the stuck structure, by frequency, from 0.
         through_folds : bool
             Whether to follow the curve from where all joints stick, round folds, where a response
-            may be met more than once; with draws it always is. Without it each response is solved
-            by itself, in any order.
+            may occur more than once; always so with draws. Otherwise each response is solved by
+            itself, in any order.
         draws, samples, seed, confidence, correlation, spread, progress, strict
             As of `frequency_response`; with draws the result is a `BackboneBand`.
         """
@@ -472,20 +473,20 @@ class HarmonicBalance:
     def solve(self, *, frequency: Optional[float] = None, force: Optional[float] = None,
               response: Optional[float] = None, phase_lag: Optional[float] = None, mode: int = 0,
               strict: bool = True) -> Vibration:  # fmt: skip
-        """The vibration with two quantities as given.
+        """The vibration with two of its quantities given.
 
         Parameters
         ----------
         frequency : float, optional
-            Hz.
+            Frequency, Hz.
         force : float, optional
-            N, or m/s**2 of a base.
+            Amplitude, N, or m/s**2 of a base.
         response : float, optional
-            In the kind of this object.
+            Amplitude, in the kind of this object.
         phase_lag : float, optional
-            rad, in (0, pi); pi/2 is phase resonance.
+            Phase lag, rad, in (0, pi); pi/2 is phase resonance.
         mode : int
-            Where no frequency is given: at which resonance to look.
+            Mode whose resonance is sought where no frequency is given.
         strict : bool
             As of `frequency_response`.
         """
@@ -502,7 +503,7 @@ class HarmonicBalance:
         found = self._core.solve(targets[0], targets[1], whole(mode, "mode"))
         result = Vibration(_vibrations(found["points"]), summary_of(found["summary"]),
                            notes(found["warnings"]))  # fmt: skip
-        return told(result, strict)
+        return reported(result, strict)
 
     def _follow(self, kept: str, value: float, from_: object, to: object,
                 asked: Optional[dict[str, Any]], progress: object,
@@ -530,7 +531,7 @@ class HarmonicBalance:
             "_kind": self._kind,
         }
         curve = _with_bands(parts, spread, found.get("of_force", False))
-        return told(curve, strict)
+        return reported(curve, strict)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _balance_of, (self.structure, self._core.point, self._kind, self._core.options())
@@ -567,12 +568,12 @@ def _vibrations(columns: dict[str, Any]) -> Vibrations:
     return Vibrations(**numbers)
 
 
-#: What a curve is told, and not how it is solved.
+#: Arguments of a curve that are no options of the solution.
 _OF_RUN = ("draws", "seed", "confidence", "correlation", "spread", "progress", "strict")
 
 
 def _taken(options: dict[str, Any], names: tuple[str, ...]) -> dict[str, Any]:
-    """Out of the options."""
+    """Takes arguments out of the options."""
     if options.get("draws") is not None or options.get("spread") is not None:
         names = (*names, "samples")
     return {name: options.pop(name) for name in names if name in options}
@@ -585,15 +586,15 @@ def frequency_response(structure: Structure, force: float, from_: float, to: flo
     Parameters
     ----------
     structure : Structure
-        What vibrates.
+        The vibrating structure.
     force : float
         Amplitude, N, or m/s**2 of a base; above 0.
     from_, to : float
-        Hz.
+        Ends of the curve, Hz.
     **options
-        Of `HarmonicBalance` (`point`, `kind`, `harmonics`, ...), and `draws`, `spread`, `progress`,
-        `strict`, ... of `HarmonicBalance.frequency_response`. With `draws` or `spread` `samples` is
-        the number of draws, else that of a cycle.
+        Those of `HarmonicBalance` (`point`, `kind`, `harmonics`, ...), and `draws`, `spread`,
+        `progress`, `strict`, ... of `HarmonicBalance.frequency_response`. With `draws` or `spread`,
+        `samples` is the number of draws, else the samples per cycle.
 
     Examples
     --------
@@ -611,16 +612,16 @@ def frequency_response(structure: Structure, force: float, from_: float, to: flo
 
 
 def backbone(structure: Structure, response: ArrayLike, **options: Any) -> ResponseCurve:
-    """The vibrations of a structure in phase resonance, over the response.
+    """The backbone of a structure: its vibrations in phase resonance, over the response.
 
     Parameters
     ----------
     structure : Structure
-        What vibrates.
+        The vibrating structure.
     response : array_like
         Amplitudes, in the kind of the response, shape (n,).
     **options
-        Of `HarmonicBalance`, and those of `HarmonicBalance.backbone`.
+        Those of `HarmonicBalance` and of `HarmonicBalance.backbone`.
     """
     run = _taken(options, ("mode", "through_folds", *_OF_RUN))
     return HarmonicBalance(structure, **options).backbone(response, **run)

@@ -1,6 +1,6 @@
 function joint = with_record(joint)
-% WITH_RECORD  A joint with what the text of its file says of its origin, to be looked at.
-%   Fields provenance and identification, where there are such. microslip.write_joint writes the text itself,
+% WITH_RECORD  Adds the provenance and identification of its file to a joint, for reading.
+%   Fields provenance and identification, where the file has them. microslip.write_joint writes the text itself,
 %   as jsondecode may round the last digit of a number.
 
 % SPDX-License-Identifier: MIT

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Joints of microslip in the programs of others.
+"""Adaptors of joints of microslip for other programs.
 
-Each module here is for one of them and is imported by its name:
+Each module is for one program and is imported by its name:
 
 ``microslip.adaptors.scipy``
-    Structures with joints in time by `scipy.integrate.solve_ivp`.
+    Time integration of structures with joints by `scipy.integrate.solve_ivp`.
 ``microslip.adaptors.tmdsimpy``
     A joint as a nonlinear force of tmdsimpy, <https://github.com/tmd-lab/tmdsimpy>.
 """

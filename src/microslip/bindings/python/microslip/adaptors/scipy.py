@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Structures with joints in time, by `scipy.integrate.solve_ivp`.
+"""Time integration of structures with joints by `scipy.integrate.solve_ivp`.
 
-A joint has a memory: its force is no function of the state (x, x'). Between two reversals of its
+A joint has a memory: its force is not a function of the state (x, x'). Between two reversals of its
 displacement it is, ``memory.trial(u)``, with the memory as it was at the last reversal. So one
 integrates up to a reversal, which is an event, takes the step there with ``memory.advance(u)``, and
 goes on with a new call. `solve_jointed` does that for M x'' + C x' + K x + joint forces = f(t). For
@@ -51,12 +51,12 @@ from .._results import Shown, si
 
 
 class JointPath(NamedTuple):
-    """What a joint did."""
+    """Displacement and force of a joint over time."""
 
-    displacement: RealArray  #: m, one a time
-    force: RealArray  #: N, one a time
-    reversals: RealArray  #: times at which it turned, s
-    memory: Memory  #: after the last time
+    displacement: RealArray  #: m, one per time
+    force: RealArray  #: N, one per time
+    reversals: RealArray  #: times of its reversals, s
+    memory: Memory  #: memory after the last time
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -72,7 +72,7 @@ class JointedSolution(Shown):
     joints : tuple of JointPath
         In the order given.
     evaluations : int
-        Of the accelerations.
+        Number of evaluations of the accelerations.
     """
 
     time: RealArray
@@ -118,23 +118,23 @@ def solve_jointed(
     joints : sequence of (Joint, array_like)
         Each with psi_j, shape (dofs,): its displacement is u = psi_j' x. Virgin at u = 0.
     force : callable or None
-        f(t), N, shape (dofs,); smooth, or `max_step` must be short enough for what it does.
+        f(t), N, shape (dofs,); smooth, or `max_step` must be short enough to resolve it.
     t_span : (float, float)
-        s, rising.
+        First and last time, s, rising.
     displacement, velocity : array_like, optional
-        x [m] and x' [m/s] at the beginning, shape (dofs,); at rest at 0 without them.
+        x [m] and x' [m/s] at the beginning, shape (dofs,); by default at rest at 0.
     t_eval : array_like, optional
-        Times of the result, s, in `t_span`, rising; those of the steps without it.
+        Times of the result, s, in `t_span`, rising; by default those of the steps.
     method : str
-        Of `scipy.integrate.solve_ivp`.
+        Method of `scipy.integrate.solve_ivp`.
     rtol : float
         Relative tolerance of a step.
     atol : float, optional
-        Absolute tolerance, in the units of x and x'. Without it rtol*1e-3 times what the stuck
-        structure moves by at most, of what it is given at the beginning or f at 200 times.
+        Absolute tolerance, in the units of x and x'. By default rtol*1e-3 times the largest motion
+        of the stuck structure, due to its initial state or f at 200 times.
     max_step : float, optional
-        s. A joint that turns twice within a step is not seen to turn. Without it a tenth of the
-        shortest period of the stuck structure.
+        Longest step, s. Two reversals of a joint within a step are missed. By default a tenth of
+        the shortest period of the stuck structure.
 
     Returns
     -------
@@ -163,7 +163,7 @@ def solve_jointed(
         (displacement, "displacement", slice(0, n)),
         (velocity, "velocity", slice(n, 2 * n)),
     ):
-        given = optional_array(value, name, n, "one a degree of freedom")
+        given = optional_array(value, name, n, "one per degree of freedom")
         start[half] = 0.0 if given is None else given
     options = {
         "method": text(method, "method"),
@@ -199,7 +199,7 @@ def _matrix(value: object, name: str, dofs: Optional[int]) -> RealArray:
 
 
 class _Joint:
-    """A joint of a structure on its way: its memory stands at its last reversal."""
+    """A joint of a structure in motion: its memory is at its last reversal."""
 
     def __init__(self, joint: Joint, shape: RealArray) -> None:
         self.memory = Memory(joint)
@@ -209,18 +209,18 @@ class _Joint:
         self.path: list[tuple[RealArray, RealArray]] = []
 
     def start(self, y: RealArray, slope: RealArray) -> None:
-        """From virgin rest to where it begins, and which way it goes from there: by u', or where it
-        rests by u''. Where that is 0 too, an event comes as soon as it goes the other way."""
+        """From virgin rest to where it begins, and the direction from there: by u', or by u'' where
+        u' is 0. Where that is 0 too, an event comes as soon as the direction reverses."""
         self.memory.advance(float(self.shape @ y[: len(self.shape)]))
         ways = [float(self.shape @ of[len(self.shape) :]) for of in (y, slope)]
         self.sense = -1.0 if (ways[0] or ways[1]) < 0.0 else 1.0
 
     def rate(self, y: RealArray) -> float:
-        """Of u, above 0 while it goes on; of y', what drives it."""
+        """Rate of u in the present direction; given y', its acceleration."""
         return self.sense * float(self.shape @ y[len(self.shape) :])
 
     def event(self) -> Any:
-        """Falls through 0 where it turns; above 0 while it rests."""
+        """Falls through 0 at a reversal; above 0 while the joint is at rest."""
 
         def goes_on(_: float, y: RealArray) -> float:
             return self.rate(y) or 1.0
@@ -254,7 +254,7 @@ class _System:
         self.stiffness = _matrix(stiffness, "stiffness", n)
         self.joints = [
             _Joint(joint, real_array(shape, f"joints[{j}]: shape", length=n,
-                                     per="one a degree of freedom"))
+                                     per="one per degree of freedom"))
             for j, (joint, shape) in enumerate(joints)
         ]  # fmt: skip
         if force is not None and not callable(force):
@@ -281,7 +281,7 @@ class _System:
         if self.force is None:
             return np.zeros(self.dofs)
         return real_array(self.force(t), f"force({t})", length=self.dofs,
-                          per="one a degree of freedom")  # fmt: skip
+                          per="one per degree of freedom")  # fmt: skip
 
     def slope(self, t: float, y: RealArray) -> RealArray:
         n = self.dofs
@@ -319,7 +319,7 @@ def _solve(system: _System, start: RealArray, begin: float, end: float,
         piece = solve_ivp(system.slope, (t, end), y, events=events, dense_output=times is not None,
                           **options)  # fmt: skip
         if not piece.success:
-            raise Error(f"solve_ivp: {piece.message} It got to {piece.t[-1]} s.")
+            raise Error(f"solve_ivp: {piece.message} It reached {piece.t[-1]} s.")
         evaluations += piece.nfev
         t, y = float(piece.t[-1]), piece.y[:, -1]
         last = piece.status == 0
@@ -337,8 +337,8 @@ def _solve(system: _System, start: RealArray, begin: float, end: float,
             break
         slope = system.slope(t, y)
         for joint, turned in zip(system.joints, piece.t_events):
-            # Of joints that turn at once solve_ivp names one. One that has just turned may go back
-            # by rounding, but is driven on.
+            # Of joints that reverse at once solve_ivp names one. One that has just reversed may
+            # move back by rounding, but is driven on.
             if len(turned) or (joint.rate(y) < 0.0 and joint.rate(slope) < 0.0):
                 joint.turn(t, y[:n])
     states = np.hstack([of for _, of in pieces])

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 else:
     try:
         from tmdsimpy.nlforces.nonlinear_force import HystereticForce as _Base
-    except ImportError:  # it asks for what a force does, not for its class
+    except ImportError:  # it asks for the methods of a force, not for its class
         _Base = object
 
 
@@ -56,12 +56,12 @@ class JointForce(_Base):
     T : array_like
         From the local forces to those of the degrees of freedom, shape (N, joints).
     joint : Joint or sequence of Joint
-        One for all, or one a row of Q.
+        One for all, or one per row of Q.
 
     Raises
     ------
     ValueError
-        Where shapes do not fit or something is no joint.
+        Where shapes do not fit or an object is not a joint.
     """
 
     def __init__(self, Q: ArrayLike, T: ArrayLike, joint: Union[Joint, Sequence[Joint]]) -> None:
@@ -69,11 +69,11 @@ class JointForce(_Base):
         self.T = real_array(T, "T", ndim=2)
         if self.T.shape != self.Q.shape[::-1]:
             raise InputError(f"T has the shape {self.T.shape}; must have {self.Q.shape[::-1]},"
-                             " that of Q turned round")  # fmt: skip
+                             " that of Q transposed")  # fmt: skip
         count = len(self.Q)
         joints = [joint] * count if isinstance(joint, Joint) else sequence(joint, "joint", "joints")
         if len(joints) != count:
-            raise InputError(f"joint has {len(joints)}; must have {count}, one a row of Q")
+            raise InputError(f"joint has {len(joints)}; must have {count}, one per row of Q")
         self.joints = tuple(joints)
         self.slips_freely = False
         self.init_history()
@@ -92,11 +92,11 @@ class JointForce(_Base):
         self.slips_freely = True
 
     def reset_real_mu(self) -> None:
-        """The joints as they are."""
+        """Restores the joints after `set_prestress_mu`."""
         self.slips_freely = False
 
     def force(self, X: ArrayLike, update_hist: bool = False) -> tuple[RealArray, RealArray]:
-        """The force after a step from where the history stands.
+        """The force after a step from the present state of the history.
 
         Parameters
         ----------
@@ -112,7 +112,7 @@ class JointForce(_Base):
         dFdX : ndarray
             N/m, shape (N, N).
         """
-        local = self.Q @ real_array(X, "X", length=self.Q.shape[1], per="one a degree of freedom")
+        local = self.Q @ real_array(X, "X", length=self.Q.shape[1], per="one per degree of freedom")
         if self.slips_freely:
             responses = [(0.0, 0.0)] * len(self.joints)
             if update_hist:
@@ -150,7 +150,7 @@ class JointForce(_Base):
         Nt : int
             Samples of a cycle, above 2 h_max + 1; between them the memory is exact.
         tol : float
-            Not needed: the cycle is the steady one at once.
+            Not needed: the steady cycle is computed at once.
         calc_grad : bool
             Whether derivatives are returned.
 
@@ -205,13 +205,13 @@ class JointForce(_Base):
         atol: float = 1e-10,
         rtol: float = 1e-10,
     ) -> tuple[RealArray, None, None]:
-        """Forces of a cycle that repeats itself, for loops.
+        """Forces of a steady cycle, for loops.
 
         Parameters
         ----------
         unlt : array_like
-            Local displacements, m, shape (samples, joints). A joint turns at samples: what lies
-            beyond between two of them is not seen.
+            Local displacements, m, shape (samples, joints). A joint reverses at samples: motion
+            beyond them in between is not seen.
         unltdot, h, cst, unlth0, max_repeats, atol, rtol
             Not needed.
 
@@ -220,7 +220,7 @@ class JointForce(_Base):
         ft : ndarray
             Local forces of the steady cycle, N, shape (samples, joints).
         None, None
-            In the places of derivatives, which `aft` has.
+            In place of the derivatives, which `aft` has.
         """
         path = real_array(unlt, "unlt", ndim=2) - self.virgin_at
         forces = np.zeros(path.shape)
@@ -233,8 +233,8 @@ class JointForce(_Base):
 
 
 class _Kept:
-    """Which of the real numbers (x_0, Re x_1, Im x_1, ...) there are for harmonics h, and the sign
-    of each: what tmdsimpy has are x_0, cosines and sines, Im x_n = -sine."""
+    """Indices of the real numbers (x_0, Re x_1, Im x_1, ...) of harmonics h, and the sign of each:
+    tmdsimpy has x_0, cosines and sines, Im x_n = -sine."""
 
     def __init__(self, h: Any) -> None:
         if h.ndim != 1 or h.size == 0 or h.dtype.kind not in "iu" or h[0] < 0 or np.any(np.diff(h) < 1):

@@ -2,7 +2,7 @@
 
 #include "microslip/algebra/lu.hpp"
 #include "microslip/dynamics/cycle/trigonometric_basis.hpp"
-#include "microslip/dynamics/harmonic/structure_side.hpp"
+#include "microslip/dynamics/harmonic/structure_operator.hpp"
 
 namespace microslip {
 namespace {
@@ -23,10 +23,10 @@ using Eigen::VectorXd;
 /// The derivative of u by N has the form BᵀA⁻¹B with B_ij = ψ_ij − C(g_i^j), as every receptance
 /// has. Truncated in this way the equations come from one potential, as the exact ones do: the
 /// energy balance of the harmonics kept is exact.
-class ShorteningSide final : public StructureSide {
+class ShorteningOperator final : public StructureOperator {
  public:
-  ShorteningSide(const JointedStructure& structure, std::string_view response_point,
-                 std::size_t harmonics, Forcing forcing)
+  ShorteningOperator(const JointedStructure& structure, std::string_view response_point,
+                     std::size_t harmonics, Forcing forcing)
       : m_(structure, response_point, harmonics, forcing), count_(coefficient_count(harmonics)) {
     for (const StructuralJoint& joint : structure.joints()) {
       MatrixXd gamma = MatrixXd::Zero(m_.modes, m_.modes);
@@ -214,17 +214,18 @@ class ShorteningSide final : public StructureSide {
   VectorXd q_;
   MatrixXd from_tension_;
   MatrixXd to_displacement_;
-  MatrixXd right_;   // what changes the load by N, by A_f, by ω
+  MatrixXd right_;   // derivatives of the load by N, by A_f, by ω
   MatrixXd change_;  // of q by them
   MatrixXd by_tension_;
 };
 
 }  // namespace
 
-std::unique_ptr<StructureSide> make_shortening_side(const JointedStructure& structure,
-                                                    std::string_view response_point,
-                                                    std::size_t harmonics, Forcing forcing) {
-  return std::make_unique<ShorteningSide>(structure, response_point, harmonics, forcing);
+std::unique_ptr<StructureOperator> make_shortening_operator(const JointedStructure& structure,
+                                                            std::string_view response_point,
+                                                            std::size_t harmonics,
+                                                            Forcing forcing) {
+  return std::make_unique<ShorteningOperator>(structure, response_point, harmonics, forcing);
 }
 
 }  // namespace microslip

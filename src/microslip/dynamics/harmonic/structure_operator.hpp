@@ -13,13 +13,13 @@
 
 namespace microslip {
 
-/// The structure as its joints feel it: given the harmonics of the tensions N in them it says what
-/// displacement u of each joint that makes. The modes are eliminated, so that the harmonic balance
-/// has J(2H + 1) unknowns, whatever the number of modes. Internal to dynamics.
+/// The linear operator of the structure at its joints: from the harmonics of the tensions N in them
+/// to the displacement u of each joint. The modes are eliminated, so that the harmonic balance has
+/// J(2H + 1) unknowns, whatever the number of modes. Internal to dynamics.
 ///
 /// Vectors over the joints hold the coefficients (trigonometric_basis.hpp) of joint 0, then
 /// joint 1, …
-class StructureSide {
+class StructureOperator {
  public:
   struct Input {
     const Eigen::VectorXd& displacement;  ///< u, m
@@ -29,13 +29,13 @@ class StructureSide {
     bool odd_wave;  ///< whether even harmonics of u, N and all that acts are 0 exactly
   };
 
-  /// What is to be zero, and the response at the point.
+  /// The residuals, and the response at the point.
   struct Values {
     Eigen::VectorXd residual;       ///< u minus what the structure makes of N, m
     std::complex<double> response;  ///< first harmonic of the displacement w_1, m
   };
 
-  /// Their derivatives but for those of the residual by u and N.
+  /// Their derivatives, except those of the residual by u and N.
   struct Derivatives {
     Eigen::VectorXd by_frequency;
     Eigen::VectorXd by_force;
@@ -45,9 +45,9 @@ class StructureSide {
     std::complex<double> response_by_force;
   };
 
-  virtual ~StructureSide() = default;
-  StructureSide(const StructureSide&) = delete;
-  StructureSide& operator=(const StructureSide&) = delete;
+  virtual ~StructureOperator() = default;
+  StructureOperator(const StructureOperator&) = delete;
+  StructureOperator& operator=(const StructureOperator&) = delete;
 
   virtual void evaluate(const Input& input, Values& values) = 0;
 
@@ -64,25 +64,22 @@ class StructureSide {
   [[nodiscard]] virtual Eigen::MatrixXcd modal() const = 0;
 
  protected:
-  StructureSide() = default;
+  StructureOperator() = default;
 };
 
-/// The fitting kind: by receptances, or with the modes solved for where a joint shortens.
-[[nodiscard]] std::unique_ptr<StructureSide> make_structure_side(const JointedStructure& structure,
-                                                                 std::string_view response_point,
-                                                                 std::size_t harmonics,
-                                                                 Forcing forcing);
+/// The suitable kind: by receptances, or with the modes solved for where a joint has shortening.
+[[nodiscard]] std::unique_ptr<StructureOperator> make_structure_operator(
+    const JointedStructure& structure, std::string_view response_point, std::size_t harmonics,
+    Forcing forcing);
 
-[[nodiscard]] std::unique_ptr<StructureSide> make_receptance_side(const JointedStructure& structure,
-                                                                  std::string_view response_point,
-                                                                  std::size_t harmonics,
-                                                                  Forcing forcing);
-[[nodiscard]] std::unique_ptr<StructureSide> make_shortening_side(const JointedStructure& structure,
-                                                                  std::string_view response_point,
-                                                                  std::size_t harmonics,
-                                                                  Forcing forcing);
+[[nodiscard]] std::unique_ptr<StructureOperator> make_linear_operator(
+    const JointedStructure& structure, std::string_view response_point, std::size_t harmonics,
+    Forcing forcing);
+[[nodiscard]] std::unique_ptr<StructureOperator> make_shortening_operator(
+    const JointedStructure& structure, std::string_view response_point, std::size_t harmonics,
+    Forcing forcing);
 
-/// What both kinds need of a structure, as matrices.
+/// The matrices of a structure that both kinds need.
 struct ModalMatrices {
   ModalMatrices(const JointedStructure& structure, std::string_view response_point,
                 std::size_t harmonics, Forcing forcing);
@@ -94,7 +91,7 @@ struct ModalMatrices {
   [[nodiscard]] std::complex<double> stiffness_slope(Eigen::Index mode, std::size_t n,
                                                      double angular_frequency, double force) const;
 
-  /// What the unit of force adds to the load on a mode that moves by q.
+  /// Load by a unit force on a mode that moves by q.
   [[nodiscard]] std::complex<double> load_by_force(Eigen::Index mode, std::size_t n,
                                                    double angular_frequency,
                                                    std::complex<double> q) const;
@@ -109,7 +106,7 @@ struct ModalMatrices {
   Eigen::VectorXd response_shape;  ///< φ_i of the response point
   Eigen::MatrixXcd load;        ///< on mode i in harmonic n at A = 1 N, modes × (H + 1); modal: 0
   Eigen::VectorXd static_load;  ///< on mode i, whatever A
-  Eigen::VectorXd spring_in_modes;  ///< k_s, one a joint
+  Eigen::VectorXd spring_in_modes;  ///< k_s, one per joint
   Eigen::VectorXd compliance;       ///< c
 };
 

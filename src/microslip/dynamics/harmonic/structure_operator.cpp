@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/dynamics/harmonic/structure_side.hpp"
+#include "microslip/dynamics/harmonic/structure_operator.hpp"
 
 namespace microslip {
 namespace {
@@ -67,11 +67,12 @@ std::complex<double> ModalMatrices::load_by_force(Index i, std::size_t n, double
   return std::complex<double>(0.0, static_cast<double>(n) * angular_frequency) * q;
 }
 
-std::unique_ptr<StructureSide> make_structure_side(const JointedStructure& structure,
-                                                   std::string_view response_point,
-                                                   std::size_t harmonics, Forcing forcing) {
-  return structure.shortens() ? make_shortening_side(structure, response_point, harmonics, forcing)
-                              : make_receptance_side(structure, response_point, harmonics, forcing);
+std::unique_ptr<StructureOperator> make_structure_operator(const JointedStructure& structure,
+                                                           std::string_view response_point,
+                                                           std::size_t harmonics, Forcing forcing) {
+  return structure.shortens()
+             ? make_shortening_operator(structure, response_point, harmonics, forcing)
+             : make_linear_operator(structure, response_point, harmonics, forcing);
 }
 
 }  // namespace microslip

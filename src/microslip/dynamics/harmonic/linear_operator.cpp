@@ -4,7 +4,7 @@
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/algebra/lu.hpp"
 #include "microslip/dynamics/cycle/trigonometric_basis.hpp"
-#include "microslip/dynamics/harmonic/structure_side.hpp"
+#include "microslip/dynamics/harmonic/structure_operator.hpp"
 
 namespace microslip {
 namespace {
@@ -34,14 +34,14 @@ void put(VectorXd& vector, Index at, Complex z) {
 ///
 ///     v_j = Σ_l H_jl(nω) s_l + A E_j,     H = ψᵀK⁻¹ψ,   E = ψᵀK⁻¹L,   K = diag(Z_i)
 ///
-/// For the mean κ also holds the stuck stiffness of the joint, with a spring of that stiffness
-/// added to the modes: a body that only its joints hold has a receptance then too. What not even
-/// those hold has no mean motion. So it is done, with a complex spring, for a harmonic at which
-/// some Z_i nearly vanishes beside what the joints give to the mode: H would be infinite at the
-/// pole of an undamped mode, at which the joints move as everywhere.
-class ReceptanceSide final : public StructureSide {
+/// For the mean κ also includes the stuck stiffness of the joint, with a spring of that stiffness
+/// added to the modes: a body restrained only by its joints then has a receptance too. A body
+/// restrained by nothing has no mean motion. The same is done, with a complex spring, for a
+/// harmonic at which some Z_i nearly vanishes against the stiffness of the joints in the mode: H
+/// would be infinite at the pole of an undamped mode, at which the joints move as everywhere.
+class LinearOperator final : public StructureOperator {
  public:
-  ReceptanceSide(const JointedStructure& structure, std::string_view response_point,
+  LinearOperator(const JointedStructure& structure, std::string_view response_point,
                  std::size_t harmonics, Forcing forcing)
       : m_(structure, response_point, harmonics, forcing),
         stuck_(m_.joints),
@@ -112,7 +112,7 @@ class ReceptanceSide final : public StructureSide {
   [[nodiscard]] MatrixXcd modal() const override { return motion_; }
 
  private:
-  /// A generalised inverse of a stiffness: what nothing holds does not move. In the scale of its
+  /// A generalised inverse of a stiffness: unrestrained motions are 0. In the scale of its
   /// diagonal, for modes whose frequencies lie decades apart.
   static MatrixXd inverse_of_held(const MatrixXd& stiffness) {
     VectorXd scale = stiffness.diagonal();
@@ -153,7 +153,7 @@ class ReceptanceSide final : public StructureSide {
     }
   }
 
-  /// u_j − c_j N_j in harmonic h: what the modes are to make.
+  /// u_j − c_j N_j in harmonic h: the displacement by the modes.
   [[nodiscard]] Complex own(const Input& input, Index j, std::size_t h) const {
     return coefficient(input.displacement, j, h) -
            m_.compliance[j] * coefficient(input.tension, j, h);
@@ -204,7 +204,7 @@ class ReceptanceSide final : public StructureSide {
     }
   }
 
-  /// What a tension of joint l with these harmonics does to the kept coefficients of all joints.
+  /// Effect of a tension of joint l with these harmonics on the kept coefficients of all joints.
   template <typename Row>
   void pass(Index l, const Row& tangent, const std::vector<Index>& kept, double* column) const {
     for (Index j = 0; j < m_.joints; ++j) {
@@ -224,7 +224,7 @@ class ReceptanceSide final : public StructureSide {
     }
   }
 
-  /// By the displacement itself, coefficient i of joint l, in the rows of joint j.
+  /// Adds the displacement itself, coefficient i of joint l, in the rows of joint j.
   void add_own(Index j, Index l, Index i, double* row) const {
     const Complex made = passages_[harmonic_at(i)].by_displacement(j, l);
     *row += made.real();
@@ -341,7 +341,7 @@ class ReceptanceSide final : public StructureSide {
 
   ModalMatrices m_;
   VectorXd stuck_;              // k of each joint
-  VectorXd held_;               // Σ_j k_j ψ_ij²: what they give to the stiffness of mode i
+  VectorXd held_;               // Σ_j k_j ψ_ij²: their stiffness in mode i
   VectorXd static_spring_;      // κ of the mean
   MatrixXd static_modal_;       // K⁻¹ψ of the mean
   MatrixXd static_receptance_;  // ψᵀK⁻¹ψ of the mean
@@ -362,10 +362,10 @@ class ReceptanceSide final : public StructureSide {
 
 }  // namespace
 
-std::unique_ptr<StructureSide> make_receptance_side(const JointedStructure& structure,
-                                                    std::string_view response_point,
-                                                    std::size_t harmonics, Forcing forcing) {
-  return std::make_unique<ReceptanceSide>(structure, response_point, harmonics, forcing);
+std::unique_ptr<StructureOperator> make_linear_operator(const JointedStructure& structure,
+                                                        std::string_view response_point,
+                                                        std::size_t harmonics, Forcing forcing) {
+  return std::make_unique<LinearOperator>(structure, response_point, harmonics, forcing);
 }
 
 }  // namespace microslip

@@ -25,7 +25,7 @@ namespace {
 // Σ w_m M_m against ∫ g(h − t) e dt by quadrature, with the impulse response
 // e^{−δt} sin(ω_d t)/ω_d and e a broken line less the cubic through its ends. The series of g is
 // wrong by 1e-5 at the longest step that it is meant for.
-TEST(StepKnots, AddWhatTheCubicLeavesOut) {
+TEST(StepBreakpoints, AddWhatTheCubicLeavesOut) {
   std::size_t terms = 0;
   for (const double angle : {1e-9, 1e-3, 0.03, 0.3, 1.4, 4.9}) {  // the first is a rigid body
     const double h = 0.01;
@@ -35,7 +35,7 @@ TEST(StepKnots, AddWhatTheCubicLeavesOut) {
     std::vector<double> damping(kLanes, 0.0);
     stiffness[2] = omega * omega;
     damping[2] = eta * omega;
-    KnotWeights weights(stiffness, damping);
+    BreakpointWeights weights(stiffness, damping);
     ASSERT_GE(weights.longest(), h);
     weights.set_length(h);
     EXPECT_GE(weights.terms(), terms);  // a shorter step needs fewer
@@ -45,16 +45,16 @@ TEST(StepKnots, AddWhatTheCubicLeavesOut) {
     const auto force = [](double x) {
       return std::max(0.0, 2.0 * (std::min(x, 0.8) - 0.3)) - std::max(0.0, x - 0.8);
     };
-    const std::array<JointWay::Knot, 2> knots{
+    const std::array<JointPath::Breakpoint, 2> breakpoints{
         {{0.3, 0.0, force(0.3), 0.0, 2.0, false}, {0.8, 0.0, force(0.8), 2.0, -1.0, false}}};
     const StepCubic cubic(0.0, 0.0, force(1.0), -1.0 / h, h);
-    const KnotMoments all = knot_moments(knots, cubic, terms);
+    const BreakpointMoments all = breakpoint_moments(breakpoints, cubic, terms);
     const std::span<const double> moments = std::span(all).first(terms);
     std::vector<double> shape(kLanes, 0.0);
     shape[2] = 1.0;
     std::vector<double> q(kLanes, 0.0);
     std::vector<double> v(kLanes, 0.0);
-    march_loops::add_knots(1, weights.data(), shape.data(), moments, q.data(), v.data());
+    march_loops::add_breakpoints(1, weights.data(), shape.data(), moments, q.data(), v.data());
 
     const double decay = 0.5 * eta * omega;
     const double vibrates = std::sqrt(omega * omega - decay * decay);
@@ -83,7 +83,7 @@ TEST(StepKnots, AddWhatTheCubicLeavesOut) {
     // ∫ e up to some shares, by the same quadrature.
     const std::array<double, 4> shares{0.1, 0.5, 0.9, 1.0};
     std::array<double, 4> found;
-    integrate_knots(knots, cubic, shares, found.data());
+    integrate_breakpoints(breakpoints, cubic, shares, found.data());
     for (std::size_t i = 0; i < shares.size(); ++i) {
       long double integral = 0.0L;
       for (const auto& [from, to] : {std::array{0.0, 0.3}, {0.3, 0.8}, {0.8, 1.0}}) {
@@ -93,7 +93,7 @@ TEST(StepKnots, AddWhatTheCubicLeavesOut) {
       EXPECT_NEAR(found[i], static_cast<double>(integral), 1e-14);
     }
   }
-  EXPECT_EQ(terms, kKnotTerms);
+  EXPECT_EQ(terms, kBreakpointTerms);
 }
 
 /// The shares at which a joint that sets off by y₁x + y₂x² + y₃x³ + y₄x⁴ turns.
@@ -103,18 +103,18 @@ std::vector<double> turns(double y1, double y2, double y3, double y4) {
   follower.turn(1);
   const double end = y1 + 2.0 * y2 + 3.0 * y3 + 4.0 * y4;
   const StepQuartic y({0.0, y1, y1 + y2 + y3 + y4, end, 1.0}, 2.0 * y2);
-  JointWay way(joint);
-  EXPECT_TRUE(way.follow({follower, 1, 0.0, follower.next_kink(), 0.0, 0.0}, y));
+  JointPath path(joint);
+  EXPECT_TRUE(path.follow({follower, 1, 0.0, follower.next_kink(), 0.0, 0.0}, y));
   std::vector<double> shares;
-  for (const JointWay::Knot& knot : way.knots()) {
-    if (knot.turns) shares.push_back(knot.share);
+  for (const JointPath::Breakpoint& breakpoint : path.breakpoints()) {
+    if (breakpoint.turns) shares.push_back(breakpoint.share);
   }
   return shares;
 }
 
 // Of slopes that are products of known zeros: (1 − x/a)(1 + x²), which no parabola is, and
 // (1 − x/a)(1 − x/b)(1 + x), in mm. 1e-12 is what Newton's method leaves of a step of 1e-7.
-TEST(JointWay, TurnsWhereTheQuarticHasItsExtremes) {
+TEST(JointPath, TurnsWhereTheQuarticHasItsExtremes) {
   constexpr double kSize = 1e-3;
   for (const double a : {1e-4, 0.2, 0.5, 0.97}) {
     const auto once = turns(kSize, -kSize / (2.0 * a), kSize / 3.0, -kSize / (4.0 * a));
@@ -193,7 +193,7 @@ double difference(const MarchResult& one, const MarchResult& other) {
 
 // Of fourth order although joints turn and close loops inside of steps, more than one of them in
 // many: a step that took no notice would be of order 2. No step is cut for it.
-TEST(StepKnots, KeepTheOrderOfStepsThatAreNotCut) {
+TEST(StepBreakpoints, KeepTheOrderOfStepsThatAreNotCut) {
   const Rod rod;
   for (const double compliance : {0.0, 1e-4}) {  // stiff, and 15 % of the joint in series
     const MarchResult exact = rod.march(compliance, 32.0);

@@ -1,5 +1,5 @@
-function tell_ending(result)
-% TELL_ENDING  A warning microslip:not_converged where a result did not converge.
+function warn_if_not_converged(result)
+% WARN_IF_NOT_CONVERGED  A warning microslip:not_converged where a result did not converge.
 
 % SPDX-License-Identifier: MIT
 
