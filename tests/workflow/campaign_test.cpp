@@ -369,10 +369,9 @@ TEST(CampaignConditions, ArePrintable) {
                                      .use = CampaignUse::kPredict,
                                      .session = "1",
                                      .conditions = {{"note\n", "\t"}}}}};
-  std::vector<std::string> texts{condition_verdict(effect).text, trend_text(effect),
-                                 no_common_modes_text(effect.name)};
+  std::vector<std::string> texts{condition_verdict(effect).text, trend_text(effect)};
   for (const Warning& warning : condition_warnings(file, {effect})) texts.push_back(warning.text);
-  ASSERT_EQ(texts.size(), 5U);
+  ASSERT_EQ(texts.size(), 4U);
   for (const std::string& text : texts) {
     EXPECT_EQ(text, printable(text));
     EXPECT_NE(text.find("\\x"), std::string::npos) << text;

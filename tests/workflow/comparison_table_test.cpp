@@ -52,7 +52,8 @@ TEST(ComparisonTable, HasVerdictsAndWhatItsReaderMustKnow) {
   EXPECT_EQ(table.text("unit"), (std::vector<std::string>{"m", "m", "m", "1"}));
   for (const char* part :
        {"# call", "# warning: of_file: cut.", "# warning: few_inside: a.mat:X(1): few.",
-        "# a.mat:X(1): displacement: 1 of 2 inside, 1.9 expected, p-value 10 %",
+        "# confidence = 0.95", "# inside[a.mat:X(1): displacement] = 1",
+        "# compared[a.mat:X(1): displacement] = 2", "# p_value[a.mat:X(1): displacement] = 0.1\n",
         "# draws: 40 of seed 1"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   }

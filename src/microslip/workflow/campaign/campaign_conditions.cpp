@@ -354,10 +354,6 @@ std::vector<Warning> condition_warnings(const CampaignFile& campaign,
   return warnings;
 }
 
-std::string no_common_modes_text(const std::string& condition) {
-  return fmt::format("modes: none is common to the values of {}", printable(condition));
-}
-
 std::string trend_text(const ConditionEffect& effect) {
   std::string text;
   const auto add = [&](std::string_view quantity, const ConditionMean& trend) {

@@ -53,9 +53,6 @@ struct ConditionVerdict {
 [[nodiscard]] std::vector<Warning> condition_warnings(const CampaignFile& campaign,
                                                       const std::vector<ConditionEffect>& effects);
 
-/// Comment of conditions.csv on a condition without common modes.
-[[nodiscard]] std::string no_common_modes_text(const std::string& condition);
-
 /// "D +0.62 ± 0.03 %, frequency -0.01 ± 0.002 % per unit of torque_Nm"; empty without a trend.
 [[nodiscard]] std::string trend_text(const ConditionEffect& effect);
 

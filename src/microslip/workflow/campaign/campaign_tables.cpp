@@ -12,6 +12,7 @@
 #include <set>
 #include <string_view>
 
+#include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 
 namespace microslip {
@@ -258,8 +259,7 @@ std::string sessions_table(const DoneCampaign& done, const std::string& comment)
   table.add_comment(comment);
   const std::string repeats = repeatability_text(done.sessions);
   if (!repeats.empty()) {
-    table.add_comment(fmt::format("dissipation against that of the joint{}, std of the means: {}",
-                                  done.plan.of_model() ? "s" : "", repeats));
+    table.add_comment(comment_entry(kRepeatabilityKey, "", repeats));
   }
   std::vector<std::string> names;
   for (const SessionEffect& session : sessions) names.push_back(session.name);
@@ -292,8 +292,11 @@ std::string conditions_table(const DoneCampaign& done, const std::string& commen
   table.add_comment(comment);
   for (const ConditionEffect& effect : done.conditions) {
     const std::string trend = trend_text(effect);
-    if (!trend.empty()) table.add_comment("trend: " + trend);
-    if (!effect.common_modes) table.add_comment(no_common_modes_text(effect.name));
+    if (!trend.empty()) table.add_comment(comment_entry(kTrendKey, printable(effect.name), trend));
+    if (!effect.common_modes) {
+      table.add_comment(comment_entry(kNoCommonModesKey, printable(effect.name),
+                                      "its values have no mode in common"));
+    }
     for (const ConditionGroup& group : effect.groups) rows.push_back({effect.name, &group});
   }
   std::vector<std::string> names;

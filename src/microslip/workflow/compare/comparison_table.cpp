@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "microslip/base/units.hpp"
+#include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/io/tables/csv.hpp"
@@ -41,12 +42,14 @@ std::string axis_of(const ComparedCurve& curve) {
   return fmt::format("{} [{}]", curve.axis, si_unit(curve.axis_dimension));
 }
 
-/// "39 of 41 inside, 39.0 expected"; empty without a band.
-std::string inside_text(const ComparedCurve& curve, double confidence) {
+/// The number of values of a curve inside its band, of how many, and the p-value of that; empty
+/// without a band.
+std::string inside_comment(const ComparedTest& test, const ComparedCurve& curve) {
   if (!curve.has_band() || curve.compared() == 0) return "";
-  return fmt::format("{} of {} inside, {:.1f} expected, p-value {:.3g} %", curve.inside(),
-                     curve.compared(), confidence * static_cast<double>(curve.compared()),
-                     100.0 * curve.chance);
+  const std::string subject = curve_subject(test, curve);
+  return '\n' + comment_entry("inside", subject, fmt::format("{}", curve.inside())) + '\n' +
+         comment_entry("compared", subject, fmt::format("{}", curve.compared())) + '\n' +
+         comment_entry(kPValueKey, subject, fmt::format("{:.3g}", curve.chance));
 }
 
 /// Warnings of a test name it.
@@ -70,14 +73,19 @@ std::string test_comment(const ComparedTest& test) {
   if (!test.taken) return text;
   for (const ComparedCurve& curve : test.curves) {
     if (curve.part != TestPart::kCurve) continue;  // the verdict of one value is in its row
-    const std::string inside = inside_text(curve, test.taken->options.confidence);
-    if (!inside.empty()) add(fmt::format("{}: {}", shown_name(curve), inside));
+    text += inside_comment(test, curve);
   }
   return text;
 }
 
 std::string comment_of(const VerifiedTests& verified) {
   std::string text = verified.heading;
+  const auto drawn = std::ranges::find_if(
+      verified.tests, [](const ComparedTest& test) { return test.taken.has_value(); });
+  if (drawn != verified.tests.end()) {
+    const double confidence = drawn->taken->options.confidence;
+    text += '\n' + comment_entry(kConfidenceKey, "", fmt::format("{}", confidence));
+  }
   for (const ComparedTest& test : verified.tests) {
     if (test.taken && (&test == &verified.tests.front() || test.taken->failed() > 0)) {
       text += "\n" + draws_comment(*test.taken, verified.uncertain);
@@ -226,6 +234,10 @@ class ComparisonReader {
 };
 
 }  // namespace
+
+std::string curve_subject(const ComparedTest& test, const ComparedCurve& curve) {
+  return fmt::format("{}: {}", test.source, shown_name(curve));
+}
 
 std::vector<ComparedTest> compared_tests(const CsvTable& table) {
   return ComparisonReader(table).read();

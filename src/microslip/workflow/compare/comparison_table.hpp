@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/workflow/compare/tests_verification.hpp"
@@ -13,15 +14,22 @@ namespace microslip {
 
 class CsvTable;
 
+// Keys of comments, see comment_entry.hpp.
+inline constexpr std::string_view kConfidenceKey = "confidence";  ///< of the bands, 1
+inline constexpr std::string_view kPValueKey = "p_value";         ///< of a curve_subject(), 1
+
+/// Returns what entries of comments call a curve: "SOURCE: QUANTITY".
+[[nodiscard]] std::string curve_subject(const ComparedTest& test, const ComparedCurve& curve);
+
 /// Text of the table, one row per value: `source, kind, part, quantity, unit, axis, at, measured,
 /// measured_std, predicted, lower, upper, verdict`, in SI. Cells are empty where there is no value;
 /// `verdict` is `inside` or `outside` of the band, `not_found` where a value that was measured is
-/// not predicted, and empty where there is no band or nothing was measured. Its comments tell call
-/// and inputs, the draws, of each test how its columns were taken, how many values lie inside and
-/// how many were expected, and all warnings.
+/// not predicted, and empty where there is no band or nothing was measured. Its comments give call
+/// and inputs, the draws, of each test how its columns were taken, `confidence = P`, of each curve
+/// the entries `inside`, `compared` and `p_value`, and all warnings.
 [[nodiscard]] std::string comparison_table(const VerifiedTests& verified);
 
-/// Reads such a table back, without its comments: what became of draws, and warnings.
+/// Reads such a table back, without its comments.
 /// @throws FormatError  where a column is missing, or a cell is wrong.
 [[nodiscard]] std::vector<ComparedTest> compared_tests(const CsvTable& table);
 

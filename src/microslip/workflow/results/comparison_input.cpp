@@ -4,16 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <utility>
 
 #include "microslip/base/units.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/io/cells/warning_comment.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/workflow/campaign/campaign_conditions.hpp"
 #include "microslip/workflow/campaign/campaign_leave_out.hpp"
+#include "microslip/workflow/campaign/campaign_tables.hpp"
 #include "microslip/workflow/compare/comparison_table.hpp"
 #include "microslip/workflow/compare/comparison_text.hpp"
 #include "microslip/workflow/text/table_cells.hpp"
@@ -29,47 +30,16 @@ std::vector<Warning> warnings_in(const CsvTable& table) {
   return warnings;
 }
 
-/// The number before a text in it; nothing where the text is not there.
-std::optional<double> number_before(std::string_view text, std::string_view end) {
-  const std::size_t at = text.find(end);
-  if (at == std::string_view::npos) return std::nullopt;
-  const std::string_view before = text.substr(0, at);
-  const std::string_view number = before.substr(before.rfind(' ') + 1);
-  double value = 0.0;
-  const auto [stop, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error != std::errc() || stop != number.data() + number.size()) return std::nullopt;
-  return value;
-}
-
-/// P of a line "draws: N of seed S, P % between lower and upper; …".
-std::optional<double> confidence_in(std::string_view comment) {
-  if (!comment.starts_with("draws: ")) return std::nullopt;
-  const std::optional<double> percent = number_before(comment, " % between lower and upper");
-  return percent ? std::optional(*percent / 100.0) : std::nullopt;
-}
-
-/// The p-value in % of a comment on a curve; nothing where there is none.
-std::optional<double> p_value_percent(std::string_view comment) {
-  constexpr std::string_view kMark = ", p-value ";
-  const std::size_t at = comment.rfind(kMark);
-  if (at == std::string_view::npos) return std::nullopt;
-  return number_before(comment.substr(at + kMark.size()), " %");
-}
-
-/// Takes the p-value of its curve from a line "SOURCE: QUANTITY: N of M inside, E expected, p-value
-/// C %". @return whether it is such a line.
-bool take_chance(const std::string& comment, std::vector<ComparedTest>& tests) {
-  const std::optional<double> percent = p_value_percent(comment);
-  if (!percent) return false;
+/// Takes the p-values of curves from the comments.
+void take_p_values(const CsvTable& table, std::vector<ComparedTest>& tests) {
   for (ComparedTest& test : tests) {
     for (ComparedCurve& curve : test.curves) {
-      const bool whole = curve.part == TestPart::kCurve;
-      if (whole && comment.starts_with(fmt::format("{}: {}: ", test.source, shown_name(curve)))) {
-        curve.chance = *percent / 100.0;
-      }
+      if (curve.part != TestPart::kCurve) continue;
+      const auto value =
+          find_number_entry(table.comments(), kPValueKey, curve_subject(test, curve));
+      if (value) curve.chance = *value;
     }
   }
-  return true;
 }
 
 /// How the program says what it did, and from which files: not of the tests.
@@ -126,27 +96,16 @@ void put_means(const CsvTable& table, const std::string& name, std::vector<Condi
   }
 }
 
-/// "trend: D … per unit of NAME" of the comments, without its beginning.
-std::string trend_of(const CsvTable& table, const std::string& condition) {
-  constexpr std::string_view kTrend = "trend: ";
-  for (const std::string& comment : table.comments()) {
-    if (comment.starts_with(kTrend) && comment.ends_with(" per unit of " + printable(condition))) {
-      return comment.substr(kTrend.size());
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 ComparisonFound comparison_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   ComparisonFound found{.tests = compared_tests(table), .warnings = warnings_in(table)};
+  found.confidence = find_number_entry(table.comments(), kConfidenceKey);
+  take_p_values(table, found.tests);
   for (const std::string& comment : table.comments()) {
-    if (const auto confidence = confidence_in(comment)) found.confidence = confidence;
-    if (is_of_provenance(comment) || parse_warning_comment(comment)) continue;
-    if (take_chance(comment, found.tests)) continue;
-    found.notes.push_back(comment);
+    const bool of_program = is_of_provenance(comment) || is_comment_entry(comment);
+    if (!of_program && !parse_warning_comment(comment)) found.notes.push_back(comment);
   }
   return found;
 }
@@ -204,12 +163,7 @@ void add_sessions(const NamedInput& input, CampaignFound& found) {
   put_numbers(table, "dissipation_offset", sessions, &SessionEffect::dissipation_offset);
   put_numbers(table, "dissipation_scatter", sessions, &SessionEffect::dissipation_scatter);
   found.sessions = std::move(sessions);
-  constexpr std::string_view kRepeats = ", std of the means: ";
-  for (const std::string& comment : table.comments()) {
-    const std::size_t at = comment.find(kRepeats);
-    if (at == std::string::npos || !comment.starts_with("dissipation against that of")) continue;
-    found.repeatability = comment.substr(at + kRepeats.size());
-  }
+  found.repeatability = find_entry(table.comments(), kRepeatabilityKey).value_or("");
 }
 
 void add_conditions(const NamedInput& input, CampaignFound& found) {
@@ -226,14 +180,16 @@ void add_conditions(const NamedInput& input, CampaignFound& found) {
   const std::vector<std::string> names = table.text("condition");
   for (std::size_t row = 0; row < names.size(); ++row) {
     if (found.conditions.empty() || found.conditions.back().effect.name != names[row]) {
-      found.conditions.push_back({{.name = names[row]}, trend_of(table, names[row])});
+      found.conditions.push_back(
+          {{.name = names[row]},
+           find_entry(table.comments(), kTrendKey, printable(names[row])).value_or("")});
     }
     found.conditions.back().effect.groups.push_back(std::move(groups[row]));
   }
   for (ConditionFound& condition : found.conditions) {
     condition.effect.overlap = amplitudes_overlap(condition.effect.groups);
     condition.effect.common_modes =
-        std::ranges::count(table.comments(), no_common_modes_text(condition.effect.name)) == 0;
+        !find_entry(table.comments(), kNoCommonModesKey, printable(condition.effect.name));
   }
 }
 

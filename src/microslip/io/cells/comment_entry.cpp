@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/cells/comment_entry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "microslip/io/cells/csv_cells.hpp"
+
+namespace microslip {
+namespace {
+
+std::string entry_start(std::string_view key, std::string_view subject) {
+  if (subject.empty()) return fmt::format("{} = ", key);
+  return fmt::format("{}[{}] = ", key, on_one_line(subject));
+}
+
+bool is_of_key(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }
+
+}  // namespace
+
+std::string comment_entry(std::string_view key, std::string_view subject, std::string_view value) {
+  return entry_start(key, subject) + on_one_line(value);
+}
+
+std::optional<std::string> find_entry(std::span<const std::string> comments, std::string_view key,
+                                      std::string_view subject) {
+  const std::string start = entry_start(key, subject);
+  for (const std::string& comment : comments) {
+    if (comment.starts_with(start)) return comment.substr(start.size());
+  }
+  return std::nullopt;
+}
+
+std::optional<double> find_number_entry(std::span<const std::string> comments, std::string_view key,
+                                        std::string_view subject) {
+  const std::optional<std::string> text = find_entry(comments, key, subject);
+  if (!text) return std::nullopt;
+  double value = 0.0;
+  const char* const end = text->data() + text->size();
+  const auto [stop, error] = std::from_chars(text->data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+bool is_comment_entry(std::string_view comment) {
+  const auto end = std::ranges::find_if_not(comment, is_of_key);
+  if (end == comment.begin()) return false;
+  const std::string_view rest = comment.substr(static_cast<std::size_t>(end - comment.begin()));
+  return rest.starts_with(" = ") ||
+         (rest.starts_with('[') && rest.find("] = ") != std::string_view::npos);
+}
+
+}  // namespace microslip
