@@ -21,7 +21,7 @@ inline constexpr double kMicrometre = 1e-6;
 
 /// `count` values from `from` to `to`; count ≥ 2.
 [[nodiscard]] std::vector<double> equal_steps(double from, double to, std::size_t count);
-/// The same in equal ratios; both above 0.
+/// `count` values in equal ratios; both above 0.
 [[nodiscard]] std::vector<double> equal_ratios(double from, double to, std::size_t count);
 
 /// The values over the unit, to be drawn.
@@ -43,11 +43,11 @@ struct Loop {
 [[nodiscard]] Loop steady_loop(const microslip::Joint& joint, double amplitude, std::size_t points);
 
 /// The steady loop that a virgin curve F makes, at the displacements of cycle_of_displacements():
-/// f↓(x) = F(A) − 2F((A − x)/2) on the way down, its mirror image on the way up. [AR14 (3)]
+/// f↓(x) = F(A) − 2F((A − x)/2) for falling x, its mirror image for rising x. [AR14 (3)]
 [[nodiscard]] std::vector<double> masing_loop(const std::function<double(double)>& virgin_force,
                                               const std::vector<double>& x);
 
-/// Curves below each other in one table: the column `curve` says which, the others hold the
+/// Curves below each other in one table: the column `curve` names them, the others have the
 /// numbers.
 class CurveTable {
  public:
@@ -55,7 +55,7 @@ class CurveTable {
 
   explicit CurveTable(Columns columns);
 
-  /// @param values  one vector a column, all of one length.
+  /// @param values  one vector per column, all of one length.
   void add(std::string_view curve, const std::vector<std::vector<double>>& values);
 
   [[nodiscard]] microslip::CsvWriter table() const;

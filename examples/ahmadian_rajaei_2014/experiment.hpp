@@ -30,14 +30,14 @@ struct Experiment {
   microslip::StickState state;  ///< of the virtual test
   microslip::VirtualMeasurement test;
   std::vector<microslip::ReducedLevel> levels;  ///< by rising response
-  microslip::Levels measured;                   ///< the same, for the identification
-  microslip::Levels scattered;                  ///< with kScatter on D, its size told
+  microslip::Levels measured;                   ///< those levels, for the identification
+  microslip::Levels scattered;                  ///< with kScatter on D, given as its deviation
   microslip::Identification found;              ///< from those, by inversion with its 95 % band
 };
 
 struct RecordedTest {
   microslip::VirtualMeasurement test;
-  std::vector<microslip::Recording> recordings;  ///< one a level, under control of the force
+  std::vector<microslip::Recording> recordings;  ///< one per level, under control of the force
 };
 
 /// Runs the virtual test of a rig and records it. @throws microslip::Error  where a level is not

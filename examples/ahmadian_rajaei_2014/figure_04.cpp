@@ -148,9 +148,7 @@ microslip::FigureGrid picture_of(const Sweep& sweep) {
   damping.layers.emplace_back(microslip::PointLayer{.x = sweep.amplitude,
                                                     .y = scaled(damping_of(sweep.peaks), 0.01),
                                                     .legend = "half-power width"});
-  return {"One degree of freedom with an Iwan joint, held at constant response",
-          2,
-          {responses, damping}};
+  return {"One degree of freedom with an Iwan joint at constant response", 2, {responses, damping}};
 }
 
 microslip::CsvWriter curves_table(const Sweep& sweep) {

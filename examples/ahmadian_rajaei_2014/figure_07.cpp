@@ -23,7 +23,7 @@ constexpr std::size_t kHarmonics = 10;
 constexpr double kAsked = 0.01;  // |F_n|/|F_1| [AR14]
 constexpr std::uint64_t kSeed = 2;
 
-/// What a record shows of the force.
+/// The force in a record.
 struct RecordedForce {
   std::vector<double> time;      // two cycles, from a peak of the acceleration at the exciter, s
   std::vector<double> force;     // N
@@ -97,9 +97,9 @@ Reproduction figure_07(const Experiment& experiment) {
       {"largest harmonic of the force over the first, highest level, before "
        "control [1]",
        "the shaker feeds harmonics into the force (no number)", largest(before), kAsked, 1.0});
-  made.findings.push_back(
-      {"the same after control [1]", "held to 0.01", largest(after), 0.0, kAsked});
-  made.findings.push_back({"the same after control, at all levels [1]", "held to 0.01",
+  made.findings.push_back({"largest harmonic after control, highest level [1]",
+                           "controlled to 0.01", largest(after), 0.0, kAsked});
+  made.findings.push_back({"largest harmonic after control, all levels [1]", "controlled to 0.01",
                            largest_distortion(experiment), 0.0, kAsked});
   return made;
 }

@@ -55,7 +55,7 @@ microslip::FigureGrid picture_of(const Experiment& experiment) {
       {0.15, 0.15},
       "15 %, the paper's at high level",
       {.colour = microslip::kGrey, .style = microslip::LineStyle::kDashed, .width = 1.4}}};
-  return {"Where the energy goes",
+  return {"Energies of a cycle",
           2,
           {microslip::energies_figure(results), microslip::linear_share_figure(results, options)}};
 }

@@ -188,8 +188,8 @@ std::vector<Finding> findings_of(const Grid& grid, const Experiment& experiment,
   const double spacing = (answers.levels.amplitude.back() - answers.levels.amplitude.front()) /
                          static_cast<double>(answers.levels.size() - 1);
   return {
-      // Our rig ends at 51 N, where the true area is 0.83. Its band held it in 10 of 12 draws; that
-      // of the reduced experiment, which is one draw, misses it by less than 0.01.
+      // Our rig ends at 51 N, where the true area is 0.83. Its band contained it in 10 of 12 draws;
+      // that of the reduced experiment, which is one draw, misses it by less than 0.01.
       {fmt::format("area of the density, by inversion, up to f* = {:.0f} N [1]", reach),
        "0.8 up to f* = 55 N", found.inversion()->area, 0.75, 0.9},
       {"the true area up to there, in the 95 % band of the inversion [1]", "not in the paper",
@@ -204,13 +204,13 @@ std::vector<Finding> findings_of(const Grid& grid, const Experiment& experiment,
            spacing / kMicrometre),
        "smoothed by p = 0.96 to 0.97; spacing of the levels not given", error(kPaper), 0.0, 0.3},
       // Twelve draws of the scatter gave 0.07 to 0.20 by the spline, 0.02 to 0.07 (reduced: 0.03 to
-      // 0.08) by the inversion, whose band held the truth over 0.80 to 1 of the range. The bounds
-      // of the inversion are for the one draw that is made here.
+      // 0.08) by the inversion, whose band contained the truth over 0.80 to 1 of the range. The
+      // bounds of the inversion are for the one draw that is made here.
       {"relative error by the spline, cross-validation [1]", "not in the paper", error(1), 0.0,
        0.3},
       {"relative error by the inversion [1]", "not in the paper",
        microslip::density_error(found, truth), 0.0, grid.pick(0.05, 0.09)},
-      {"share of the range over which the 95 % band holds the truth [1]", "not in the paper",
+      {"share of the range over which the 95 % band contains the truth [1]", "not in the paper",
        microslip::band_coverage(found, truth), grid.pick(0.95, 0.8), 1.0}};
 }
 

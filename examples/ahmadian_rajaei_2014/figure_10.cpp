@@ -141,11 +141,12 @@ Reproduction figure_10(const Grid& grid, const Experiment& experiment) {
       {"largest difference of those to the loop of the true joint, over the "
        "force at the tip [1]",
        "not in the paper", error, 0.0, 0.04});
-  // What it misses at both ends grows with the smoothing.
+  // Its error at both ends grows with the smoothing.
   made.findings.push_back(
-      {"the same with the smoothing of cross-validation [1]", "not in the paper",
+      {"largest difference of the loop by cross-validation [1]", "not in the paper",
        largest_difference(loops[loops.size() - 2].force, truth.force) / tip, 0.0, 0.15});
-  made.findings.push_back({"the same of the loop by the inversion [1]", "not in the paper",
+  made.findings.push_back({"largest difference of the loop by the inversion [1]",
+                           "not in the paper",
                            largest_difference(loops.back().force, truth.force) / tip, 0.0, 0.01});
   return made;
 }

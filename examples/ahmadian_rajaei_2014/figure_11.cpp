@@ -72,8 +72,8 @@ void add_findings(Reproduction& made, const Verification& verified, const std::s
                            third_harmonic_ratio(acceleration), 0.9, 1.1});
   made.findings.push_back(
       {level + ": NRMSE of the force [1]", "not in the paper", force.nrmse, 0.0, 0.05});
-  made.findings.push_back({level + ": the same without the noise of the force [1]",
-                           "not in the paper", without_noise(force), 0.0, most_apart});
+  made.findings.push_back({level + ": NRMSE of the force without its noise [1]", "not in the paper",
+                           without_noise(force), 0.0, most_apart});
   made.findings.push_back({level + ": resonance, predicted less recorded [Hz]", "not in the paper",
                            verified.predicted.frequency_offset.value(), -0.01, 0.01});
 }

@@ -31,8 +31,7 @@ std::string number_of(const Reproduction& figure) {
 }  // namespace
 
 std::string summary_text(std::span<const Reproduction> figures) {
-  std::string text =
-      "| figure | quantity | the paper | came out | agrees |\n|---|---|---|---|---|\n";
+  std::string text = "| figure | quantity | the paper | here | agrees |\n|---|---|---|---|---|\n";
   for (const Reproduction& figure : figures) {
     for (const Finding& finding : figure.findings) {
       text += fmt::format("| {} | {} | {} | {:.4g} | {} |\n", number_of(figure), finding.quantity,

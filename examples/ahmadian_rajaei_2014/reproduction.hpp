@@ -12,7 +12,7 @@
 #include "microslip/report/drawing/gnuplot.hpp"
 
 /// @file
-/// What becomes of a figure of [AR14]: data, a picture, and numbers beside what the paper reports.
+/// The reproduction of a figure of [AR14]: data, a picture, and numbers beside those of the paper.
 
 namespace ahmadian_rajaei {
 
@@ -27,7 +27,7 @@ struct Grid {
   }
 };
 
-/// A number that came out, where it should lie, and the paper's words on it.
+/// A result, its bounds, and the paper's words on it.
 struct Finding {
   std::string quantity;  ///< with its unit: "resonance at the highest level [Hz]"
   std::string reported;  ///< what the paper reports or what follows from its equations
@@ -40,21 +40,21 @@ struct Finding {
 
 using Picture = std::variant<microslip::Figure, microslip::FigureGrid>;
 
-/// A figure of the paper, made again.
+/// A reproduced figure of the paper.
 struct Reproduction {
   std::string name;   ///< of its files: "fig_02"
   std::string title;  ///< what it shows; a comment in its tables
   Picture picture;
   microslip::PictureSize size = {};
-  /// What follows the name; data.
+  /// Tables of data: the rest of the name of each file, and its contents.
   std::vector<std::pair<std::string, microslip::CsvWriter>> tables = {};
   std::vector<Finding> findings = {};
 };
 
-/// Everything as a table in Markdown: figure, quantity, the paper, came out, agrees.
+/// Everything as a table in Markdown: figure, quantity, the paper, here, agrees.
 [[nodiscard]] std::string summary_text(std::span<const Reproduction> figures);
 
-/// The same for programs: figure, quantity, value, from, to, agrees, reported.
+/// The table for programs: figure, quantity, value, from, to, agrees, reported.
 [[nodiscard]] microslip::CsvWriter summary_table(std::span<const Reproduction> figures);
 
 /// Writes data, pictures (svg, png), summary.md and summary.csv, all or nothing.

@@ -21,7 +21,7 @@ static const double kPeriod = 6.8;    /* of the force, s: near resonance */
 static const int kPeriods = 10;
 static const int kStepsPerPeriod = 2000;
 
-/* What the integrator knows of the time before the step. */
+/* State of the integrator before the step. */
 typedef struct state {
   double time, x, v, a, force;
 } state;
@@ -75,7 +75,7 @@ static state solve(const microslip_memory* memory, const state* s, double h) {
   exit(1);
 }
 
-/* Takes the step: the joint moves, and what it loses on the way is added up. */
+/* Takes the step: the joint moves, and its loss over the step is added up. */
 static void commit(microslip_memory* memory, const state* s, const state* n, energies* e) {
   double lost;
   must(microslip_memory_dissipation(memory, n->x, &lost));
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   microslip_memory* memory;
   state s = {0.0, 0.0, 0.0, 0.0, 0.0};
   energies e = {0.0, 0.0, 0.0};
-  double peak = 0.0, stored, held;
+  double peak = 0.0, stored, final;
   int i;
   if (argc > 1 && table == NULL) fail_on_file(argv[1]);
   must(microslip_memory_create(joint, &memory));
@@ -114,13 +114,13 @@ int main(int argc, char** argv) {
   if (table != NULL && fclose(table) != 0) fail_on_file(argv[1]);
   must(microslip_memory_stored_energy(memory, &stored));
   microslip_memory_destroy(memory);
-  held = 0.5 * kMass * s.v * s.v + 0.5 * kSpring * s.x * s.x + stored;
+  final = 0.5 * kMass * s.v * s.v + 0.5 * kSpring * s.x * s.x + stored;
   printf("largest displacement  %.6f m\n", peak);
   printf("work of the force     %.6f J\n", e.input);
   printf("lost in the joint     %.6f J\n", e.joint);
   printf("lost in the damper    %.6f J\n", e.damper);
-  printf("held at the end       %.6f J\n", held);
+  printf("energy at the end     %.6f J\n", final);
   printf("imbalance             %.1e of the work\n",
-         fabs(e.input - e.joint - e.damper - held) / e.input);
+         fabs(e.input - e.joint - e.damper - final) / e.input);
   return 0;
 }

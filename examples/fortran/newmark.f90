@@ -21,7 +21,7 @@ program newmark
   integer, parameter :: periods = 10, steps_per_period = 2000
   real(real64), parameter :: h = period/steps_per_period
 
-  !> What the integrator knows of a time.
+  !> State of the integrator at a time.
   type :: state
     real(real64) :: time = 0.0_real64, x = 0.0_real64, v = 0.0_real64, a = 0.0_real64, force = 0.0_real64
   end type state
@@ -29,7 +29,7 @@ program newmark
   type(c_ptr) :: joint, memory
   type(state) :: s, n
   real(real64) :: work = 0.0_real64, lost_in_joint = 0.0_real64, lost_in_damper = 0.0_real64
-  real(real64) :: peak = 0.0_real64, stored, held
+  real(real64) :: peak = 0.0_real64, stored, final_energy
   integer :: i, unit = 0
 
   call open_table()
@@ -46,13 +46,13 @@ program newmark
   end do
   call must(microslip_memory_stored_energy(memory, stored))
   call microslip_memory_destroy(memory)
-  held = 0.5_real64*mass*s%v**2 + 0.5_real64*spring*s%x**2 + stored
+  final_energy = 0.5_real64*mass*s%v**2 + 0.5_real64*spring*s%x**2 + stored
   print '(a,f8.6,a)', 'largest displacement  ', peak, ' m'
   print '(a,f8.6,a)', 'work of the force     ', work, ' J'
   print '(a,f8.6,a)', 'lost in the joint     ', lost_in_joint, ' J'
   print '(a,f8.6,a)', 'lost in the damper    ', lost_in_damper, ' J'
-  print '(a,f8.6,a)', 'held at the end       ', held, ' J'
-  print '(a,es7.1,a)', 'imbalance             ', abs(work - lost_in_joint - lost_in_damper - held)/work, ' of the work'
+  print '(a,f8.6,a)', 'energy at the end     ', final_energy, ' J'
+  print '(a,es7.1,a)', 'imbalance             ', abs(work - lost_in_joint - lost_in_damper - final_energy)/work, ' of the work'
 
 contains
 
@@ -109,7 +109,7 @@ contains
     stop 1
   end function solved
 
-  !> Takes the step: the joint moves, and what it loses on the way is added up.
+  !> Takes the step: the joint moves, and its loss over the step is added up.
   subroutine commit()
     real(real64) :: lost, force
     call must(microslip_memory_dissipation(memory, n%x, lost))

@@ -46,7 +46,7 @@ def beam(joint, linear_damping):
 # %% [markdown]
 # One frequency response a draw, at the frequencies of a grid; the band holds 95 % of them. Its height
 # is sharp, as dissipation was measured. Its frequency is not: what may slip below the lowest level
-# costs stiffness and hardly any energy, and what was measured even rises, as the warning says.
+# costs stiffness and hardly any energy, and the measured one even rises, as the warning reports.
 
 # %%
 draws = [beam(joint, beta) for joint, beta in zip(found.draws[:60], found.draws.linear_damping)]
@@ -62,7 +62,7 @@ def response(structure, force):
 
 figure, (left, right) = pyplot.subplots(1, 2, figsize=(10.4, 4.4), width_ratios=(1, 1.25))
 found.plot(left, color=BLUE)
-left.set_title("What the levels tell of the joint")
+left.set_title("Density of the joint from the levels")
 print()
 for i in (3, 5, 7):
     drawn = 1e6 * np.array([response(structure, force_at[i]) for structure in draws])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the examples share: how their pictures look, and where they go."""
+"""Shared by the examples: style and folder of their pictures."""
 
 import os
 import sys
@@ -10,7 +10,7 @@ if __name__ != "__main__" and not sys.flags.interactive and "ipykernel" not in s
 
 from matplotlib import pyplot
 
-#: Of Okabe and Ito: told apart by all.
+#: Of Okabe and Ito: distinguished by all.
 BLUE, ORANGE, GREEN, RED, GREY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#777777"
 
 pyplot.rcParams.update({

@@ -17,7 +17,7 @@ stiffness, mass = beam_matrices(ELEMENTS, length=0.8, bending=2.1e11 * 0.03 * 0.
                                 mass_per_length=7850 * 0.03 * 0.01)  # fmt: skip
 
 # %% [markdown]
-# The deflection of the first node is held. Its slope is held by a joint to the ground, which slips as
+# The deflection of the first node is fixed. Its slope is restrained by a joint to the ground, which slips as
 # the clamp does; another joint holds the deflection of the middle.
 
 # %%

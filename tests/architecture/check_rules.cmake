@@ -4,7 +4,7 @@
 #   - only io touches files, and documents, which are files by io; workflow may look which there are;
 #   - only base/execution names the library of threads, and base/attended_work a thread;
 #   - headers are included from where they are, in apps, bench, examples and tests, too;
-#   - nothing prints (but io, which may be told to write to standard output), ends the process, or
+#   - nothing prints (but io, which may write to standard output on request), ends the process, or
 #     draws from a generator other than base/random.
 # Which folder may include which is kept by the build itself, see cmake/MicroslipHouse.cmake.
 # Prints file:line and the rule for each offence and fails if there is one.
@@ -26,7 +26,7 @@ string(JOIN "|" random "# *include *<random>" "std::(random_device|mt19937|rand|
 string(JOIN "|" threads "# *include *<(oneapi/|tbb/|thread>|future>|execution>|omp.h>|pthread)" "(^|[^A-Za-z0-9_])tbb::"
        "std::(jthread|thread|async|execution)" "# *pragma +omp +parallel")
 
-# What may end a process all the same: the copy of this process that it started itself.
+# Exceptions that may end a process: the copy of this process that it started itself.
 set(may_end src/microslip/io/hdf5/reading_worker.cpp)
 
 set(offences 0)
@@ -36,7 +36,7 @@ function(offend file number text)
   set(offences ${count} PARENT_SCOPE)
 endfunction()
 
-# What the folders install, as it is written in includes.
+# Headers that the folders install, as they are written in includes.
 set(installed microslip/base/version.hpp)
 file(
   GLOB lists

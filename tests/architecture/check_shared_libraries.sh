@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a program is linked with: at most MOST shared libraries, none of which matches PATTERN.
+# Checks the libraries that a program is linked with: at most MOST shared libraries, none of which matches PATTERN.
 # Usage: check_shared_libraries.sh PROGRAM MOST PATTERN
 set -euo pipefail
 program="$1" most="$2" pattern="$3"

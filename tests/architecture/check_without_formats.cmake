@@ -1,4 +1,4 @@
-# What reads and writes files compiles without HDF5 and zlib, and then asks for neither.
+# The readers and writers of files compile without HDF5 and zlib, and then need neither.
 execute_process(
   COMMAND
     "${CMAKE_COMMAND}" -S "${ROOT}" -B "${WORK_DIR}" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 
-// What the tests of the report in a browser share.
+// Shared by the tests of the report in a browser.
 
 import assert from 'node:assert/strict';
 import {existsSync, mkdirSync, readFileSync, statSync} from 'node:fs';
@@ -67,7 +67,7 @@ export function figure(page, title, section = '') {
   return page.locator(`${section} figure`, {has: page.locator(`h3:text-is("${title}")`)}).first();
 }
 
-/** What the data of the report say of its figures: titles, units, and the points of each shown trace. */
+/** The figures in the data of the report: titles, units, and the points of each shown trace. */
 function expectedFigures(page) {
   return page.evaluate(() => {
     const figures = JSON.parse(document.getElementById('report-data').textContent);
@@ -133,7 +133,7 @@ function timeCharts(page, figure) {
   }, figure);
 }
 
-/** What is drawn, as a text. */
+/** The drawn content as a text. */
 function drawnText(page, figure) {
   return page.evaluate((i) => {
     const {chart} = views[i];
@@ -176,7 +176,7 @@ export function times(page) {
       .map(({name, startTime}) => [name.slice('microslip-'.length), Math.round(startTime)])));
 }
 
-/** What one load takes, in ms: until the first screen and the first chart are drawn and the page answers, until all figures
+/** Times of one load, in ms: until the first screen and the first chart are drawn and the page answers, until all figures
     are charts, and the time of the processor until the former, which other programs on the machine do not lengthen; and how
     many charts were drawn by the former. */
 async function measureLoad(browser, file) {
@@ -229,7 +229,7 @@ export function folder(path) {
   return path;
 }
 
-/** What a reader sees before he scrolls: whether the joint is to be believed, the names of the warnings, the density with
+/** The first screen, before scrolling: the verdict on the joint, the names of the warnings, the density with
     its axes. All sections can be reached, and nothing is wider than the screen. @param warnings  codes that must be
     named there. */
 async function checkFirstScreen(page, name, {width: screenWidth, height: screenHeight}, warnings) {
@@ -250,7 +250,7 @@ async function checkFirstScreen(page, name, {width: screenWidth, height: screenH
   assert.deepEqual(wide, [], name);
 }
 
-/** Saves what a button gives and returns its bytes. */
+/** Saves the file of a button and returns its bytes. */
 export async function download(page, locator) {
   const [file] = await Promise.all([page.waitForEvent('download'), locator.click()]);
   return {name: file.suggestedFilename(), bytes: readFileSync(await file.path())};

@@ -34,7 +34,7 @@ function levelsOf(model) {
   return `${rows.join('\n')}\n`;
 }
 
-/** The report of what is found of the joints of a model, as if they were not known. */
+/** The report of the joints of a model as identified from its levels. */
 function reportOf(name, model) {
   writeFileSync(`${artefacts}/${name}.toml`, model);
   writeFileSync(`${artefacts}/${name}_levels.csv`, levelsOf(`${name}.toml`));
@@ -55,11 +55,11 @@ const apart = reportOf('apart', model);
 const bytes = tools.checkSize(apart);
 const {page, faults} = await tools.open(browser, apart, {viewport: {width: 1300, height: 900}});
 await tools.checkEveryFigure(page);
-assert.deepEqual(await page.locator('figure h3').allTextContents(), ['Slip-force densities', 'Loss of a cycle',
+assert.deepEqual(await page.locator('figure h3').allTextContents(), ['Slip-force densities', 'Loss per cycle',
   'Loss, measured against found', 'Damping ratio', 'Frequency', 'Residuals of the losses',
   'Residuals of the frequencies', 'Displacement of wall', 'Displacement of middle', 'Share of wall in the loss',
-  'Share of middle in the loss', 'What the levels tell', 'Density of wall', 'Density of middle']);
-assert.match(await page.locator('.facts.prominent').first().textContent(), /50 of 50.*joints told apartall/s);
+  'Share of middle in the loss', 'Variance reduction', 'Density of wall', 'Density of middle']);
+assert.match(await page.locator('.facts.prominent').first().textContent(), /50 of 50.*joints distinguishedall/s);
 assert.equal(await page.locator('tr.marked').count(), 0);
 await page.evaluate(() => scrollTo(0, 0));
 assert.ok(await bottom(page, '#section-0-summary table') <= 1);
@@ -72,13 +72,13 @@ for (const name of ['wall', 'middle', 'wall: band', 'middle: band']) assert.ok(d
 assert.deepEqual(faults, []);
 await tools.takePictures(browser, apart, `${artefacts}/apart`, []);
 
-// What cannot be told apart comes before the densities that it spoils.
+// Joints that cannot be distinguished are named before their densities.
 const alike = reportOf('alike', model.replace(/^shape = \[0\.0, 1\.41.*\]/m,
     'shape = [0.7071067811865476, 0.7071067811865476]'));
 const phone = await tools.open(browser, alike,
     {viewport: {width: 400, height: 850}, isMobile: true, hasTouch: true});
 assert.match(await phone.page.locator('.warnings').textContent(), /known_only_together/);
-assert.match(await phone.page.locator('.verdict').textContent(), /densities of wall and middle are not to be believed by themselves/);
+assert.match(await phone.page.locator('.verdict').textContent(), /Do not rely on the densities of wall and middle by themselves/);
 assert.match(await phone.page.locator('#section-0-summary p.text').first().textContent(),
     /wall and middle are known only together/);
 assert.equal(await phone.page.locator('#section-0-summary tr.marked').count(), 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 // node comparison_test.mjs MICROSLIP FOLDER: the report of a campaign, and of tests against a model alone, in a
-// browser: what the first screen says of the predictions, the tables and figures of both sections, on a desk and on
+// browser: the verdict of the first screen on the predictions, the tables and figures of both sections, on a desk and on
 // a phone. Pictures are left in FOLDER.
 
 import assert from 'node:assert/strict';
@@ -81,7 +81,7 @@ await tools.checkEveryFigure(page);
 const reach = await page.locator('dt:text-is("predictions against tests") + dd').textContent();
 assert.match(reach, /^\d+ of \d+ values of 2 tests inside of their bands/);
 assert.match(reach, /Against it: .*few_inside/);
-assert.doesNotMatch(await page.locator('body').textContent(), /held against no record|no verification\.csv/);
+assert.doesNotMatch(await page.locator('body').textContent(), /compared with no record|no verification\.csv/);
 const row = (table, text) => page.locator('.table-block', {hasText: table}).locator('tbody tr', {hasText: text});
 for (const [quantity, verdict] of [['force', 'outside'], ['frequency', 'inside'], ['damping ratio', 'outside']]) {
   const shown = row('Measured and predicted values', 'strange.csv').filter({hasText: quantity});
@@ -92,8 +92,8 @@ assert.equal(await page.locator('.table-block', {hasText: 'Tests as a whole'}).l
 assert.match(await row('Tests of the campaign', 'monday').first().textContent(), /^mondayidentifymondaytorque_Nm 127/);
 assert.equal(await row('Sessions', 'friday').count() > 0, true);
 // Both days are of one joint: D of 20 Nm is that of 12 Nm within its noise.
-assert.match(await row('Levels by what the tests say', 'torque_Nm').nth(1).textContent(), /^torque_Nm2017/);
-const torque = await row('What conditions do', 'torque_Nm').textContent();
+assert.match(await row('Levels by the conditions of their tests', 'torque_Nm').nth(1).textContent(), /^torque_Nm2017/);
+const torque = await row('Effect of conditions', 'torque_Nm').textContent();
 assert.match(torque, /^torque_NmD [+-][\d.e-]+ ± [\d.e-]+ %, frequency .* per unit of torque_NmyesD at 20 differs by .* from that at 12; the frequency/);
 assert.equal(await page.locator('.table-block', {hasText: 'Left out'}).first().locator('tbody tr').count(), 2);
 const force = tools.figure(page, 'Measured and predicted force');
@@ -138,7 +138,7 @@ assert.match(await several.page.locator('body').textContent(), /26 modal levels 
 assert.deepEqual(several.faults, []);
 await tools.takePictures(browser, `${artefacts}/jointed.html`, tools.folder(`${artefacts}/several`), ['left_out_contradicts']);
 
-// A comparison by itself, without draws: no bands, and that is said.
+// A comparison by itself, without draws: no bands, as the report states.
 tools.folder(`${artefacts}/compared`);
 run('verify', 'true.toml', 'middle.csv', '--out', 'compared/comparison.csv');
 run('report', 'compared', '--out', 'compared.html');

@@ -81,7 +81,7 @@ assert.match(await phone.page.locator('.warnings').textContent(), /rate_dependen
 assert.match(await phone.page.locator('.warnings').textContent(), /--viscous fit/);
 assert.equal(await phone.page.locator('#section-0-summary tr.marked').count(), 1);
 assert.match(await phone.page.locator('tr.marked').first().textContent(), /^rate/);
-assert.match(await phone.page.locator('.verdict').textContent(), /Not a joint of sliders.*rate: force follows velocity/);
+assert.match(await phone.page.locator('.verdict').textContent(), /Not a Masing joint.*rate: force follows velocity/);
 assert.deepEqual(phone.faults, []);
 await tools.takePictures(browser, broken, `${artefacts}/broken`, ['rate_dependent']);
 await browser.close();

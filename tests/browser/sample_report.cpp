@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 // Writes a report to standard output that has everything a report can have, and names that would do
-// harm if anything took them for markup or a program. What browser tests expect of it stands in
+// harm if anything took them for markup or a program. Expectations of browser tests are in
 // sample_test.mjs.
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
 // node sample_test.mjs SAMPLE_REPORT FOLDER: the report that the program SAMPLE_REPORT writes works in a
-// browser as sample_report.cpp and the documentation of the report say. Pictures are left in FOLDER.
+// browser as sample_report.cpp and the documentation of the report state. Pictures are left in FOLDER.
 
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
@@ -190,17 +190,17 @@ await test('keys walk along the points', async () => {
   }
 });
 
-await test('what keys and copies do is told aloud, and nothing else', async () => {
-  const told = () => page.locator('#told').textContent();
+await test('keys and copies are announced aloud, and nothing else', async () => {
+  const announced = () => page.locator('#announcement').textContent();
   await figure('Force').locator('.chart').focus();
   await page.keyboard.press('ArrowRight');
-  const value = await told();
+  const value = await announced();
   assert.equal(value, await figure('Force').locator('.readout').textContent());
   await figure('Force').locator('.u-over').hover({position: {x: 200, y: 80}});
   assert.notEqual(await figure('Force').locator('.readout').textContent(), value);
-  assert.equal(await told(), value);
+  assert.equal(await announced(), value);
   await press('Loops', 'CSV');
-  assert.equal(await told(), 'Copied');
+  assert.equal(await announced(), 'Copied');
   assert.equal(await page.locator('output, [aria-live], [role=status]').count(), 1);
   const hint = await figure('Force').locator('.chart').getAttribute('aria-describedby');
   assert.match(await page.locator(`#${hint}`).textContent(), /along the points/);

@@ -55,22 +55,22 @@ void expect_texts(const std::string& text, const std::vector<std::string>& parts
 TEST_F(calibration_results, AreReported) {
   const std::string html = report("found");
   expect_texts(html, {"The slip-force densities of 2 joints were found from 75 levels of 3 modes",
-                      "The levels tell the joints apart", "Slip-force densities", "Loss of a cycle",
+                      "The levels distinguish the joints", "Slip-force densities", "Loss per cycle",
                       "Residuals of the frequencies", "Share of joint2 in the loss",
-                      "What the levels tell", "told apart", "joints found by"});
+                      "Variance reduction", "distinguished", "joints found by"});
   EXPECT_EQ(html.find("Not in this report"), std::string::npos);
 }
 
 TEST_F(calibration_results, TellWhatHalfOfAFolderLacks) {
   std::filesystem::remove(box.file("found/calibration.json"));
-  expect_texts(report("found"), {"No calibration.json in this folder", "Loss of a cycle"});
+  expect_texts(report("found"), {"No calibration.json in this folder", "Loss per cycle"});
   std::filesystem::remove(box.file("found/calibration.csv"));
   expect_texts(report("found"), {"no calibration.csv in this folder", "Slip-force densities"});
   std::filesystem::remove(box.file("found/identifiability.csv"));
   expect_refused(box, {"report", "found", "--out", "q.html"},
                  {"what microslip calibrate or campaign writes", "microslip calibrate"});
   // Levels of modes alone, under the name of levels of one joint.
-  expect_texts(report("."), {"no joint was found from them yet", "Frequency"});
+  expect_texts(report("."), {"no joint was identified from them yet", "Frequency"});
 }
 
 TEST_F(calibration_results, TellFilesThatDoNotBelongTogether) {
@@ -87,7 +87,8 @@ TEST_F(calibration_results, TellFilesThatDoNotBelongTogether) {
 
 TEST_F(calibration_results, AreDrawn) {
   expect_texts(svg({"found"}, "densities"), {"joint1", "joint2", "slip force f* [N]"});
-  expect_texts(svg({"found/identifiability.csv"}, "identifiability"), {"share told [1]", "half"});
+  expect_texts(svg({"found/identifiability.csv"}, "identifiability"),
+               {"variance reduction [1]", "half"});
   for (const std::string input : {"found", "found/calibration.csv"}) {
     expect_texts(svg({input}, "modal-losses"),
                  {"mode 3", "dissipation of all joints [mJ]", "measured less found loss [%]"});

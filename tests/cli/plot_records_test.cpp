@@ -46,7 +46,7 @@ TEST_F(plot_records, DrawsThemBesideTheJoint) {
                {"residual force [N]", "joint displacement [µm]", "one of 3 samples",
                 "mean while it rises", "mean while it falls"});
   expect_parts(svg_of(box, {"plot", "joint.json", "--figure", "density"}),
-               {"95 % band", "told from", "k × largest half range"});
+               {"95 % band", "determined from", "k × largest half range"});
 }
 
 TEST_F(plot_records, TakesARecordAndAPartOfIt) {

@@ -156,8 +156,7 @@ TEST(plot, EveryFigureOfItsFile) {
        {label("(a) a.csv"), label("displacement [µm]"), label("phase lag [°]"),
         label("band of draws"), label("measured, outside")}},
       {{"srs.csv", "--figure", "spectrum"},
-       {label("natural frequency [Hz]"), label("largest acceleration [m/s²]"),
-        label("either way")}},
+       {label("natural frequency [Hz]"), label("largest acceleration [m/s²]"), label("maximax")}},
       {{"march.csv", "--figure", "history"},
        {label("joint force [N]"), label("velocity [m/s]"), label("time [s]")}},
       {{"record.csv", "--figure", "history"}, {label("acceleration [m/s²]"), label("acc2")}},
@@ -289,7 +288,7 @@ TEST(plot, AFolderOfFoldersNamesThem) {
   const Sandbox box;
   std::filesystem::create_directories(box.file("demo/none"));
   expect_refused(box, {"plot", "demo"},
-                 {"input = 'demo'; holds nothing of which there is a figure.",
+                 {"input = 'demo'; has no data for any figure.",
                   "Name a folder with levels.csv, joint.json or calibration.csv"});
   for (const std::string name : {"b", "a"}) {
     std::filesystem::create_directory(box.file("demo/" + name));

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Whether a document tells all columns, keys and tables of files that the program wrote: `name [unit]` of CSV,
+# Whether a document describes all columns, keys and tables of files that the program wrote: `name [unit]` of CSV,
 # "key" of JSON, key and [table] of TOML. Names of channels and joints become those of the document by
 # expressions of sed -E. Usage: check_names.sh DOCUMENT [-e EXPRESSION]... FILE...
 set -euo pipefail

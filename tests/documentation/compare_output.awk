@@ -1,7 +1,7 @@
-# Whether the lines that a document shows stand in what was printed. Usage:
+# Whether the lines that a document shows were printed. Usage:
 #   awk -f compare_output.awk -v EXACT=0 EXPECTED PRINTED
 #
-# The lines shown are an excerpt: they stand one below the other in what was printed, anywhere. A line
+# The lines shown are an excerpt: they stand one below the other in the output, anywhere. A line
 # "…" stands for any number of lines, also none; "…" in a line for any text. Blanks count as one, those at the ends
 # not at all. A number with a decimal point or an exponent may differ by one in its last digit shown, all other
 # numbers are exact; with EXACT=1 all are.

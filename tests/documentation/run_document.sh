@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Does what a document tells its reader: saves the files that it shows, types its commands, and compares
-# what is printed with what it says is printed. The marks in documents are those of split_document.awk.
+# Follows a document as a user does: saves the files that it shows, types its commands, and compares
+# the output with the output shown. The marks in documents are those of split_document.awk.
 #
 # The reader begins in an empty folder with the clone beside him as microslip/; with a document of
 # examples/NAME, in a copy of that folder. Data that are not in the repository are taken from the folder
@@ -63,7 +63,7 @@ write_script() {
   done <"$work/list"
 }
 
-# A document that needs a program which is not there says nothing.
+# A document that needs a missing program is skipped.
 check_programs() {
   local number kind line rest
   while read -r number kind line rest; do

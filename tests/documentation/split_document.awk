@@ -1,4 +1,4 @@
-# Takes a Markdown document apart into what a reader would do, one file a step, by the comments that stand
+# Splits a Markdown document into the steps of a user, one file per step, by the comments that stand
 # before its code blocks, alone on their lines:
 #
 #   <!-- session -->        a ```sh block whose commands the reader types
@@ -12,7 +12,7 @@
 #   <!-- needs PROGRAM -->  no block: the document is not run where that program is not installed
 #
 # Writes into the folder STEPS, with numbers in the order of the document: NNN.sh, NNN.py, NNN.file, NNN.expected,
-# and to standard output one line a step: NNN KIND LINE NAME. What breaks these rules goes to standard
+# and to standard output one line per step: NNN KIND LINE NAME. Faults go to standard
 # error, and the status is 1.
 
 function fail(line, text) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The example makes all figures, and they say what they should: by its own bounds, and against
+// The example makes all figures, and their numbers are right: by its own bounds, and against
 // values that other programs computed.
 #include <gtest/gtest.h>
 
@@ -104,7 +104,7 @@ void expect_agreement(const CsvTable& summary) {
 
 TEST_F(AhmadianRajaei, AgreesWithThePaper) { expect_agreement(table("summary.csv")); }
 
-// All 90 levels, held to the bounds of the full run: some 5 s, a minute and more where a sanitizer
+// All 90 levels, with the bounds of the full run: some 5 s, a minute and more where a sanitizer
 // looks on.
 TEST(AhmadianRajaeiInFull, AgreesWithThePaper) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -62,7 +62,7 @@ TEST(CalibrationFigures, GreyTheBandWhereNothingIsTold) {
   for (const BandLayer& band : layers_of<BandLayer>(figure)) {
     (band.colour == kGrey ? grey : coloured).emplace_back(band.x.front(), band.x.back());
   }
-  // Each stretch reaches to the knot at which the next begins: no gap is left.
+  // Each part reaches to the knot at which the next begins: no gap is left.
   EXPECT_EQ(coloured, (std::vector<std::pair<double, double>>{{1, 4}, {0, 8}}));
   EXPECT_EQ(grey, (std::vector<std::pair<double, double>>{{0, 1}}));
   const std::vector<LineLayer> lines = layers_of<LineLayer>(figure);
@@ -129,7 +129,7 @@ TEST(CalibrationFigures, ShareTheLossAmongJoints) {
 TEST(CalibrationFigures, SayWhatIsMissing) {
   EXPECT_THROW((void)densities_figure({}), InputError);
   EXPECT_THROW((void)modal_loss_figure({}), InputError);
-  EXPECT_THROW((void)told_figure({}), InputError);
+  EXPECT_THROW((void)variance_reduction_figure({}), InputError);
   ExperimentResults measured;
   measured.modal_levels = LevelsOfModes{
       .mode = {1, 1}, .displacement = {1e-6, 2e-6}, .measured_frequency = {10.0, 9.9}};

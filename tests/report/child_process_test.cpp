@@ -22,7 +22,7 @@ ChildResult run(std::vector<std::string> command, std::string_view input = {}) {
   return result.value_or(ChildResult{});
 }
 
-// More than any pipe or socket holds, so that both sides have to take turns.
+// More than any pipe or socket buffers, so that both sides have to take turns.
 std::string much() {
   std::string text;
   for (int i = 0; i < 1000000; ++i) text += std::to_string(i) + '\n';

@@ -139,7 +139,7 @@ std::vector<std::string> titles_of(const ReportDocument& document) {
   return titles;
 }
 
-/// What a document says is not in it, with the commands that make it.
+/// The missing parts that a document lists, with the commands that make them.
 std::string missing_in(const ReportDocument& document) {
   std::string text;
   for (const ReportSection& part : document.sections) {
@@ -193,7 +193,7 @@ TEST(ExperimentReport, WhatIsNotThereIsListedBeforeTheLastSection) {
   }
 }
 
-// What only a virtual test can supply is no advice for a real one.
+// Parts that only a virtual test can supply are not advised for a real one.
 TEST(ExperimentReport, ARealTestIsNotToldToBeMadeAgain) {
   ExperimentResults results = exact_results();
   results.truth.reset();
@@ -362,7 +362,7 @@ ReportVerdict verdict_of(const ExperimentResults& results) {
   return std::get<ReportVerdict>(section(document, "Summary").blocks.front());
 }
 
-// The density, whether it is to be believed, what predictions reach and what to worry about stand
+// The density, the verdict on it, the valid range of predictions and the warnings stand
 // before all else.
 TEST(ExperimentReport, BeginsWithVerdictDensityReachAndWarnings) {
   ExperimentResults results = exact_results();
@@ -386,7 +386,7 @@ TEST(ExperimentReport, SaysWhatTheLevelsWereTestedFor) {
   EXPECT_TRUE(contains(verdict_of(results).text, "2 departures looked for, none found"));
   EXPECT_FALSE(verdict_of(results).doubtful);
   results.joint->verdicts[1].broken = true;
-  EXPECT_TRUE(contains(verdict_of(results).text, "frequency: does not fall as D says"));
+  EXPECT_TRUE(contains(verdict_of(results).text, "frequency: does not fall as D implies"));
   EXPECT_TRUE(verdict_of(results).doubtful);
   results.joint->verdicts.clear();
   results.joint->status = "no_progress";
@@ -404,7 +404,7 @@ TEST(ExperimentReport, SaysHowFarPredictionsReach) {
   EXPECT_TRUE(contains(text, "joint amplitude = 15 to 300 µm, 20 levels")) << text;
   EXPECT_TRUE(contains(text, "force of the exciter = 0.5 to 2 N")) << text;
   EXPECT_TRUE(contains(text, "response = not measured")) << text;
-  EXPECT_TRUE(contains(text, "larger motions = not known: 25.0 % of k has not slipped")) << text;
+  EXPECT_TRUE(contains(text, "larger motions = not available: 25.0 % of k did not slip")) << text;
   EXPECT_TRUE(contains(text, "error of predictions = not verified")) << text;
   results.joint->from_these_levels = false;
   results.joint->covered_to = 40.0;
@@ -413,7 +413,7 @@ TEST(ExperimentReport, SaysHowFarPredictionsReach) {
   EXPECT_TRUE(contains(text, "larger motions = known: all of the stiffness has slipped")) << text;
   results.joint->covered_from.reset();
   text = summary_text(experiment_report(results));
-  EXPECT_TRUE(contains(text, "joint amplitude = not told by its file")) << text;
+  EXPECT_TRUE(contains(text, "joint amplitude = not given in its file")) << text;
 }
 
 TEST(ExperimentReport, ShowsAtoms) {
@@ -474,7 +474,7 @@ TEST(ExperimentReport, AJointThatNobodyIdentifiedIsNotCalledIdentified) {
   EXPECT_FALSE(contains(text, "was identified")) << text;
   EXPECT_FALSE(contains(text, "No warning")) << text;
   EXPECT_FALSE(contains(text, "scatter of")) << text;
-  EXPECT_TRUE(contains(text, "does not tell how it was found")) << text;
+  EXPECT_TRUE(contains(text, "does not state the method")) << text;
   EXPECT_TRUE(contains(text, "joint_of_unknown_origin")) << text;
   EXPECT_TRUE(contains(
       text, "joint_misses_levels: D of the joint differs from that of the levels by 100.0 % of D"))
@@ -533,7 +533,7 @@ TEST(ExperimentReport, ScatterAndSmoothingAreThoseThatTheJointTells) {
       << text;
   EXPECT_TRUE(contains(text, "smoothing = λ = 0.172, 12.0 degrees of freedom (as specified)"))
       << text;
-  EXPECT_TRUE(contains(text, "not from the levels below as far as its file tells")) << text;
+  EXPECT_TRUE(contains(text, "according to its file not from the levels below")) << text;
   EXPECT_FALSE(contains(text, "levels = 20")) << text;
 }
 
@@ -543,7 +543,7 @@ TEST(ExperimentReport, PredictionsOfAnotherJointAreNotItsError) {
   results.predictions_are_of_this_joint = false;
   const ReportDocument document = experiment_report(results);
   const std::string text = summary_text(document);
-  EXPECT_TRUE(contains(text, "error of predictions = not told")) << text;
+  EXPECT_TRUE(contains(text, "error of predictions = not available")) << text;
   const auto& first = std::get<ReportText>(section(document, "Prediction").blocks[0]);
   EXPECT_TRUE(contains(first.text, "another joint or rig")) << first.text;
 }
@@ -576,7 +576,7 @@ TEST(ExperimentReport, TestsAgainstAModelAreTheErrorOfPredictions) {
   const std::string text = summary_text(document);
   EXPECT_TRUE(contains(text, "predictions against tests = 1 of 3 values of 1 test inside")) << text;
   EXPECT_TRUE(contains(text, "few_inside")) << text;
-  EXPECT_FALSE(contains(text, "held against no record")) << text;
+  EXPECT_FALSE(contains(text, "compared with no record")) << text;
   const ReportSection& shown = section(document, "Tests against the model");
   std::vector<const ReportTable*> tables;
   for (const ReportBlock& block : shown.blocks) {
@@ -638,8 +638,8 @@ TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
   }
   EXPECT_EQ(titles, (std::vector<std::string>{
                         "Dissipation against the joint", "Tests of the campaign", "Sessions",
-                        "Conditions", "What conditions do", "Dissipation left out", "Left out"}));
-  const ReportTable& conditions = table(document, "What conditions do");
+                        "Conditions", "Effect of conditions", "Left-out dissipation", "Left out"}));
+  const ReportTable& conditions = table(document, "Effect of conditions");
   EXPECT_EQ(conditions.marked, std::vector<std::size_t>{0});  // 5 % apart, 3.5 σ of a difference
   EXPECT_EQ(std::get<std::string>(conditions.rows[0][1]), "D +1 ± 0.2 % per unit of torque_Nm");
   EXPECT_EQ(std::get<std::string>(conditions.rows[0][2]), "no");
@@ -720,7 +720,7 @@ ExperimentResults contradicted_results() {
   return results;
 }
 
-/// What a document warns of, section after section.
+/// The warnings of a document, section after section.
 std::vector<std::string> warned_of(const ReportDocument& document) {
   std::vector<std::string> codes;
   for (const ReportSection& part : document.sections) {
@@ -740,7 +740,7 @@ TEST(ExperimentReport, AContradictionIsOnTheFirstScreen) {
   EXPECT_TRUE(verdict.doubtful);
   EXPECT_EQ(verdict.text,
             "1 of 2 tests contradicts the others, 0.1 would by chance: friday, D +20 %. The levels "
-            "tell the densities apart.");
+            "determine each density.");
   EXPECT_TRUE(contains(summary_text(document), "contradict the others = 1 of 2 tests"))
       << summary_text(document);
   check_report(document);
@@ -748,7 +748,7 @@ TEST(ExperimentReport, AContradictionIsOnTheFirstScreen) {
   const ReportDocument agreed = experiment_report(results);
   const auto& good = std::get<ReportVerdict>(agreed.sections.front().blocks.front());
   EXPECT_FALSE(good.doubtful);
-  EXPECT_EQ(good.text, "The levels tell the densities apart.");
+  EXPECT_EQ(good.text, "The levels determine each density.");
 }
 
 // One of twenty levels contradicts by chance, and two of forty do: no doubt of the joint.
@@ -801,11 +801,11 @@ TEST(ExperimentReport, WhatWasLeftOutIsShownByItsTest) {
   EXPECT_EQ(std::get<double>(left_out.rows[1][1]), 3.0);  // levels
   EXPECT_EQ(std::get<double>(left_out.rows[1][2]), 2.0);  // of which these are not beyond
   EXPECT_EQ(std::get<double>(left_out.rows[1][4]), 0.0);
-  const ReportFigure& shown = figure(document, "Dissipation left out");
+  const ReportFigure& shown = figure(document, "Left-out dissipation");
   EXPECT_TRUE(shown.figure.x.log);  // 1 to 20 µm
   std::vector<std::string> names;
   for (const Layer& layer : shown.figure.layers) names.push_back(name_of(layer));
-  EXPECT_EQ(names, (std::vector<std::string>{"middle of the band, with its edges", "monday, inside",
+  EXPECT_EQ(names, (std::vector<std::string>{"centre and edges of the band", "monday, inside",
                                              "friday, outside"}));
   EXPECT_EQ(legend_of(shown.figure.layers[2]), "friday");
 }
@@ -1066,7 +1066,7 @@ TEST(ExperimentReport, ResponsesWithoutTheirAmplitudesInTheLevels) {
   EXPECT_EQ(figure(document, "Frequency responses at constant response").figure.layers.size(), 2U);
 }
 
-/// A joint of two records, the second of which rubs faster one way than the other.
+/// A joint of two records, the second of which rubs faster in one direction than in the other.
 ExperimentResults record_results() {
   ExperimentResults results;
   results.title = "Records";
@@ -1120,13 +1120,14 @@ TEST(ReportOfRecords, BeginsWithDensityVerdictsAndWarnings) {
   const ReportSection& summary = document.sections.front();
   const auto& verdict = std::get<ReportVerdict>(summary.blocks[0]);
   EXPECT_TRUE(verdict.doubtful);
-  EXPECT_TRUE(contains(verdict.text, "(asymmetry: sides differ). What is shown")) << verdict.text;
+  EXPECT_TRUE(contains(verdict.text, "(asymmetry: sides differ). The nearest such joint"))
+      << verdict.text;
   EXPECT_EQ(std::get<ReportFigure>(summary.blocks[1]).figure.title, "Slip-force density");
   EXPECT_TRUE(std::get<ReportTable>(summary.blocks[3]).beside);
   const auto& reach = std::get<ReportFacts>(summary.blocks[4]);
   EXPECT_TRUE(reach.beside);
   EXPECT_EQ(reach.facts.front().first, "half range of the motion");
-  EXPECT_TRUE(contains(reach.facts.back().second, "4.0 % of the force of its own records"));
+  EXPECT_TRUE(contains(reach.facts.back().second, "at most 4.0 % of the force of its own records"));
   const auto& warnings = std::get<ReportWarnings>(summary.blocks[5]).warnings;
   ASSERT_EQ(warnings.size(), 2U) << "one of each record, of the same code";
   EXPECT_EQ(warnings[1].text, "record 2: two");
@@ -1140,7 +1141,7 @@ TEST(ReportOfRecords, BeginsWithDensityVerdictsAndWarnings) {
 
 TEST(ReportOfRecords, ShowsEachDepartureWhereItStandsOutMost) {
   const ReportDocument document = experiment_report(record_results());
-  const ReportTable& verdicts = table(document, "Is it a joint of this kind?");
+  const ReportTable& verdicts = table(document, "Is it a Masing joint?");
   ASSERT_EQ(verdicts.rows.size(), 2U);
   EXPECT_EQ(verdicts.marked, (std::vector<std::size_t>{0}));
   EXPECT_TRUE(contains(std::get<std::string>(verdicts.rows[0][0]), "asymmetry"));
@@ -1148,7 +1149,7 @@ TEST(ReportOfRecords, ShowsEachDepartureWhereItStandsOutMost) {
   EXPECT_EQ(verdicts.rows[0][2], ReportCell(3.0)) << "%";
   EXPECT_EQ(verdicts.rows[0][4], ReportCell("yes"));
   EXPECT_EQ(verdicts.rows[1][1], ReportCell(1.0));
-  EXPECT_EQ(table(document, "What was looked for, record by record").rows.size(), 4U);
+  EXPECT_EQ(table(document, "Tested assumptions, record by record").rows.size(), 4U);
   EXPECT_EQ(table(document, "Records").rows[1][1], ReportCell("b.csv"));
 }
 
@@ -1167,7 +1168,7 @@ TEST(ReportOfRecords, DrawsMeasuredAgainstFound) {
   const double unit = figure(document, "Residual over time").figure.y.unit == "mN" ? 1e3 : 1.0;
   EXPECT_NEAR(residual.y[7], 0.1 * unit, 1e-9 * unit);
   EXPECT_EQ(trace(figure(document, "Measured and found loops"), "measured").x.size(), 400U);
-  // The residual is the same both ways.
+  // The residual is the same in both directions.
   for (const char* mean : {"mean while it rises", "mean while it falls"}) {
     EXPECT_NEAR(trace(figure(document, "Residual over displacement"), mean).y.front(), 0.1 * unit,
                 1e-9 * unit);

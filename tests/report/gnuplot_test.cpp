@@ -135,7 +135,7 @@ TEST(GnuplotScript, NumbersReadBackAsTheSameDoubles) {
 
 TEST(GnuplotScript, DoesNotDependOnTheLocale) {
   const std::string script = svg_script(density_figure());
-  // Whichever of these is installed writes 0,5; without any the test says little.
+  // Whichever of these is installed writes 0,5; without any the test shows little.
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", ""}) {
     std::setlocale(LC_ALL, name);
     EXPECT_EQ(svg_script(density_figure()), script);
@@ -373,7 +373,7 @@ TEST(RunGnuplotFault, SaysWhatIsWrong) {
   EXPECT_EQ(error_of("set encoding utf8\nset terminal svg\nset title foo(\nplot x\n"),
             "gnuplot failed with status 1: line 0: invalid expression");
   EXPECT_TRUE(contains(error_of("set terminal svg\nplot no_such_thing\n"), "gnuplot failed with"));
-  EXPECT_EQ(error_of(""), "gnuplot failed with status 0: it says nothing");
+  EXPECT_EQ(error_of(""), "gnuplot failed with status 0: without a message");
 }
 
 TEST(RunGnuplotFault, NotInstalled) {

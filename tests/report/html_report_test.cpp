@@ -39,7 +39,7 @@ std::string sample_html() {
   return html_report(sample(), {.picture = [](const Figure&, int, int) { return "<svg/>"; }});
 }
 
-/// What stands in the elements of a name that have no attributes.
+/// The contents of the elements of a name that have no attributes.
 std::vector<std::string> contents_of(std::string_view html, const std::string& name) {
   const std::string start = "<" + name + ">";
   const std::string end = "</" + name + ">";

@@ -73,7 +73,7 @@ ExperimentResults results() {
   return made;
 }
 
-/// With nothing but what levels must have.
+/// With the required columns of levels alone.
 MeasuredLevels two_levels() {
   MeasuredLevels made;
   made.levels.amplitude = {1e-5, 2e-5};
@@ -227,7 +227,7 @@ TEST(StiffnessFigure, ShowsSecantsWithTheirBars) {
   EXPECT_TRUE(stiffness_figure(results(), {.scale = AmplitudeScale::kLog}).x.log);
 }
 
-// D holds βA² beside what the joint dissipates, and the loss factor is that of the joint.
+// D contains βA² beside the dissipation of the joint, and the loss factor is that of the joint.
 TEST(DampingFigure, IsOfTheJointAlone) {
   ExperimentResults damped = results();
   damped.joint->linear_damping = 1000.0;

@@ -17,7 +17,7 @@ using test::input_fault;
 
 constexpr Box kSpace{.left = 0.0, .bottom = 0.0, .right = 800.0, .top = 500.0};
 
-/// What a line of text covers, a little less than its line height.
+/// The box of a line of text, a little less than its line height.
 Box box_of(const PlacedText& text, Font font) {
   const double width = text_width(text.text, font);
   const double left = text.side == Side::kLeft     ? text.x
@@ -174,7 +174,7 @@ TEST(PanelLayout, KeepsTheMarginsThatAreAskedFor) {
   EXPECT_DOUBLE_EQ(moved.axes.bottom, own.axes.bottom + 20.0);
   EXPECT_DOUBLE_EQ(moved.axes.right, own.axes.right - 10.0);
   EXPECT_DOUBLE_EQ(moved.axes.top, own.axes.top - 5.0);
-  // What belongs to an edge moves along.
+  // The parts at an edge move along.
   EXPECT_DOUBLE_EQ(moved.y_label.at(0).x, own.y_label.at(0).x + 30.0);
   EXPECT_DOUBLE_EQ(moved.x_label.at(0).y, own.x_label.at(0).y + 20.0);
   EXPECT_DOUBLE_EQ(moved.legend.at(0).y, own.legend.at(0).y + 20.0);

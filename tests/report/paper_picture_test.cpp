@@ -110,7 +110,8 @@ TEST(PaperPicture, LinesOfOneJointLookAlike) {
         LineLayer{{0.0, 1.0}, {0.0, 1.0}, name, {.colour = colour, .style = LineStyle::kDotted}});
   }
   const std::string svg = draw_for_paper(grid, PictureFormat::kSvg).bytes;
-  // Two lines and the entry of the legend are dotted; of the other joint, told apart, none is.
+  // Two lines and the entry of the legend are dotted; of the other joint, in another colour, none
+  // is.
   std::size_t dotted = 0;
   const std::string attribute = "stroke-dasharray=";
   for (std::size_t at = svg.find(attribute); at != std::string::npos;

@@ -49,7 +49,7 @@ TEST(PaperResponse, AtOneResponseIsOverTheForce) {
   expect_near(line(grid.panels[0]).y, {2.0, 4.0});
 }
 
-// Of a shaken base the axes say relative to what, and over what.
+// With a shaken base the axes name the reference of the displacement and the divisor.
 TEST(PaperResponse, OfAShakenBaseSaysSo) {
   const FigureGrid kept =
       response_figure({{10.0, 11.0}, {0.5, 0.5}, {2e-3, 1e-3}, {0.5, 2.0}, {}, true});

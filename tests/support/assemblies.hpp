@@ -27,7 +27,7 @@ struct KnownSpread {
 Joint assembly_of(const Joint& middle, const KnownSpread& spread, std::uint64_t seed,
                   std::uint64_t number);
 
-/// What a campaign measures: D of `count` levels from 5 % of the largest amplitude, with scatter.
+/// Levels of a campaign: D of `count` levels from 5 % of the largest amplitude, with scatter.
 Levels measured_levels(const Joint& joint, std::size_t count, double scatter, std::uint64_t seed,
                        std::uint64_t number);
 

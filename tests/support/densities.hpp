@@ -70,7 +70,7 @@ struct NamedJoint {
 };
 
 /// Densities that no method, option or bound of the identification was chosen on, and none may be:
-/// they tell how the figures of the others carry over. One thing was: that the smoothness of the
+/// they show how the figures of the others carry over. One thing was: that the smoothness of the
 /// posterior changes along the density (LocalSmoothing), for the peaks of the last one.
 std::vector<NamedJoint> unseen_truths();
 
@@ -86,10 +86,10 @@ std::vector<double> equal_ratios(std::size_t count, double from, double to);
 /// 90 levels in equal steps, without noise.
 Levels exact_levels(const Joint& joint);
 
-/// Relative noise on D, its size not told.
+/// Relative noise on D, without standard deviations.
 void add_noise(Levels& levels, double relative, std::uint64_t draw);
 
-/// Secant stiffness with relative noise, its size not told.
+/// Secant stiffness with relative noise, without standard deviations.
 void add_secant(const Joint& joint, double relative, std::uint64_t draw, Levels& levels);
 
 Levels noisy_levels(const Joint& joint, std::uint64_t draw, double relative = 0.01);

@@ -8,8 +8,8 @@
 #include <limits>
 
 /// @file
-/// What a test need not do each time: all draws of a statistic, or under the sanitizers, where
-/// everything takes five to ten times as long, what another test does as well.
+/// Work that a test need not do each time: all draws of a statistic, or under the sanitizers, where
+/// everything takes five to ten times as long, the work that another test does as well.
 
 /// Where the address sanitizer is linked, and nowhere else. A test asks when it runs, not when it
 /// is compiled: the sanitized build links the objects of the release build with a library of its
@@ -44,14 +44,14 @@ inline std::uint64_t draws_of(std::uint64_t needed, std::uint64_t fewer = 1) {
   return in_studies() ? needed : kSanitized ? 1 : fewer;
 }
 
-/// The bound from above that a statistic of draws_of() is held to: three times as much for few
-/// draws, which scatter, none under the sanitizers. What holds for each draw is judged everywhere.
+/// The upper bound of a statistic of draws_of(): three times as much for few
+/// draws, which scatter, none under the sanitizers. Bounds of each draw are judged everywhere.
 inline double bound_of(double bound) {
   if (kSanitized) return std::numeric_limits<double>::infinity();
   return in_studies() ? bound : 3.0 * bound;
 }
 
-/// The same from below, of a share that is held: a third of it for few draws.
+/// The lower bound, of a share that is reached: a third of it for few draws.
 inline double least_of(double share) {
   if (kSanitized) return 0.0;
   return in_studies() ? share : share / 3.0;

@@ -14,9 +14,9 @@
 #include "validation/bounds.hpp"
 
 /// @file
-/// What a test measures, for docs/validation.md: kept as a property of the test, which
-/// `--gtest_output=json` writes and scripts/update_validation reads. It is held to the bounds that
-/// tests/validation/figures.toml states for it.
+/// A figure that a test measures, for docs/validation.md: kept as a property of the test, which
+/// `--gtest_output=json` writes and scripts/update_validation reads. It is checked against its
+/// bounds in tests/validation/figures.toml.
 
 namespace microslip::test {
 
@@ -53,13 +53,13 @@ void record_figure(const std::string& name, double value, const Keep& keep) {
   ::testing::Test::RecordProperty(name, fmt::format("{}", figure));
 }
 
-/// The largest of what is given in the test.
+/// The largest of the values given in the test.
 inline void record_largest(const std::string& name, double value) {
   record_figure(name, value, [](double a, double b) { return std::max(a, b); });
   expect_at_most(name, value);
 }
 
-/// The smallest of what is given in the test.
+/// The smallest of the values given in the test.
 inline void record_smallest(const std::string& name, double value) {
   record_figure(name, value, [](double a, double b) { return std::min(a, b); });
   expect_at_least(name, value);
@@ -75,7 +75,7 @@ inline void record_smallest_of_draws(const std::string& name, double value) {
   if (in_studies()) record_smallest(name, value);
 }
 
-/// The sum of what is given in the test.
+/// The sum of the values given in the test.
 inline void record_sum(const std::string& name, double value) {
   record_figure(name, value, [](double a, double b) { return a + b; });
 }

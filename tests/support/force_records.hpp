@@ -32,7 +32,7 @@ std::vector<double> forces_on(const Joint& joint, const std::vector<double>& pat
 std::vector<double> random_motion(std::size_t count, double largest, std::uint64_t seed,
                                   std::size_t finer = 1);
 
-/// What a record of it adds.
+/// Errors that a record of it adds.
 struct RecordNoise {
   double displacement = 2e-4;  ///< standard deviation, over the largest displacement
   double force = 4e-3;         ///< over the largest force

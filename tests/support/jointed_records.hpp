@@ -11,7 +11,7 @@
 #include "microslip/dynamics/structure/jointed_structure.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
-/// @file Structures with several joints, and what sensors record of their vibrations.
+/// @file Structures with several joints, and records of their vibrations by sensors.
 
 namespace microslip::testing {
 

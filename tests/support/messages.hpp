@@ -7,7 +7,7 @@
 
 #include "microslip/base/error.hpp"
 
-/// @file What calls complain of.
+/// @file Messages of calls that fail.
 
 namespace microslip::test {
 

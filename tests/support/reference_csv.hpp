@@ -12,7 +12,7 @@
 namespace microslip::testing {
 
 /// Columns by their full name, unit included. `#` lines are comments. Deliberately not the reader
-/// of the library, so that a reference is not read by what it is to check.
+/// of the library, so that a reference is not read by the code under test.
 class ReferenceTable {
  public:
   explicit ReferenceTable(const std::string& path) {

@@ -31,7 +31,7 @@ struct ShakenChain {
   [[nodiscard]] JointedStructure modal(const std::string& driven,
                                        std::vector<StaticLoad> static_loads = {}) const;
 
-  /// What acts at a time.
+  /// Load at a time.
   struct Acting {
     double support = 0.0;           // displacement, m
     double support_velocity = 0.0;  // m/s
@@ -47,9 +47,9 @@ struct ShakenChain {
   };
 
   /// RK4 with steps of h from the state given and virgin sliders, or those that were pulled along
-  /// the way u to there at once. Sliders move one way in a stage, so that the error of a reversal
-  /// is of the order h².
-  /// @param every  told of the state at the end of each step.
+  /// the displacement u to there at once. Sliders move in one direction in a stage, so that the
+  /// error of a reversal is of the order h².
+  /// @param every  called with the state at the end of each step.
   void integrate(const Loads& loads, State state, double end, double h,
                  const std::function<void(double, const State&)>& every) const;
 

@@ -40,7 +40,7 @@ Joint tent(double k, double top, double share);
 
 void give_deviations(double displacement, SimulatedTest& test);
 
-/// Share of the levels at which the band of a joint's loss holds it.
+/// Share of the levels at which the band of a joint's loss contains it.
 double loss_coverage(const CalibrationResult& found, const SimulatedTest& test, std::size_t joint);
 
 /// Other noise on the same levels.

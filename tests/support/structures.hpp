@@ -28,7 +28,8 @@ std::vector<Joint> joints_of_each_kind();
 /// The reference rig with the joint of reference_rig_levels.csv; driven at the point "force".
 JointedStructure friction_rig(std::size_t modes = 7);
 
-/// Modes and joints of four-parameter densities or of atoms, driven at "a"; seen there or at "b".
+/// Modes and joints of four-parameter densities or of atoms, driven at "a"; observed there or at
+/// "b".
 JointedStructure random_structure(std::uint64_t seed, std::uint64_t stream, std::size_t count,
                                   std::size_t joint_count);
 

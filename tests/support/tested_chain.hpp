@@ -17,7 +17,7 @@
 
 namespace microslip::test {
 
-/// Masses 1, 2, … along z, nodes of the same numbers, held at the first end; C = αM + βK, so that
+/// Masses 1, 2, … along z, nodes of the same numbers, fixed at the first end; C = αM + βK, so that
 /// modes are real.
 struct TestedChain {
   std::size_t masses = 5;
@@ -51,7 +51,7 @@ std::vector<double> even_frequencies(double from, double step, std::size_t count
 /// To each column noise of this share of its rms.
 void add_noise(double share, std::uint64_t seed, Eigen::MatrixXcd& responses);
 
-/// What a dataset 58 of a frequency response is of.
+/// Header of a dataset 58 of a frequency response.
 struct UffResponse {
   long long response = 1;
   long long reference = 1;
@@ -74,7 +74,7 @@ std::string response_datasets(const TestedChain& chain, const std::vector<double
 /// Dataset 164: so many of its units in a metre and a newton.
 std::string units_dataset(double per_metre, double per_newton);
 
-/// What a dataset 55 is of.
+/// Header of a dataset 55.
 struct UffShape {
   int analysis = 2;  ///< 2 normal, 3 complex
   int specific_type = 8;

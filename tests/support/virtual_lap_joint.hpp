@@ -58,11 +58,11 @@ inline const std::string kLapJoint = R"({
 /// A value with noise of a relative standard deviation.
 double noisy(double value, double sigma, RandomStream& random);
 
-/// What `frf` wrote as a stepped sine: force and acceleration are read with 0.3 % and 0.1 % of
+/// The table of `frf` as a stepped sine: force and acceleration are read with 0.3 % and 0.1 % of
 /// noise at each step, and the phase is that of the acceleration.
 std::string noisy_sweep(const std::string& response, RandomStream& random);
 
-/// What `march` wrote as the record of an accelerometer with noise, a standard deviation in m/s².
+/// The table of `march` as the record of an accelerometer with noise, a standard deviation in m/s².
 std::string noisy_record(const std::string& history, double noise, RandomStream& random);
 
 }  // namespace microslip::test

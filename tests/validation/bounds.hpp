@@ -12,7 +12,7 @@ struct Bounds {
   std::optional<double> at_most = {};
 };
 
-/// What figures.toml holds a figure of a test to, `folder.Suite.Test` and `name [unit]`.
+/// Bounds in figures.toml of a figure of a test, `folder.Suite.Test` and `name [unit]`.
 [[nodiscard]] Bounds bounds_of(const std::string& test, const std::string& figure);
 
 }  // namespace microslip::validation

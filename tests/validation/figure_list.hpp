@@ -7,12 +7,13 @@
 
 namespace microslip::validation {
 
-/// One line of docs/validation.md: what is measured by which test or benchmark, and its bounds.
+/// One line of docs/validation.md: a figure, its test or benchmark, and its bounds.
 struct FigureLine {
   std::string what;
-  /// `folder.Suite.Test`, or `bench.name` of a benchmark; what begins with what stands before a *.
+  /// `folder.Suite.Test`, or `bench.name` of a benchmark; with a * at the end, all names that begin
+  /// with the text before it.
   std::string by;
-  /// What that records, `name [unit]`, of several the sum. None: that the tests pass.
+  /// The figure that it records, `name [unit]`, of several the sum. None: whether the tests pass.
   std::string figure;
   std::string over;    ///< a benchmark: the figure is divided by that of this one
   std::string unit;    ///< of what is shown and of the bounds; by default that of the figure

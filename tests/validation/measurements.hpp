@@ -10,7 +10,7 @@
 
 namespace microslip::validation {
 
-/// What tests and benchmarks have measured.
+/// Results of tests and benchmarks.
 class Measurements {
  public:
   /// Takes `test_FOLDER.json`, written by GoogleTest; `bench.json`, written by Google Benchmark, of
@@ -40,7 +40,7 @@ class Measurements {
   void add_benchmarks(const std::string& text);
   void add_ctest(const std::string& text);
   void add_numbers(const std::string& name, const std::string& text);
-  /// That of one test or of all that begin with what stands before a *.
+  /// That of one test, or of all that begin with the text before a *.
   [[nodiscard]] std::optional<double> sum(const FigureLine& line, const std::string& by) const;
 
   std::map<std::string, Test> tests_;  ///< by `folder.Suite.Test`, `bench.name` and `ctest.name`

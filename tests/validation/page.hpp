@@ -17,7 +17,7 @@ namespace microslip::validation {
 ///     <!-- end validation -->
 using Blocks = std::map<std::string, std::string>;
 
-/// What was measured for the lines of a topic.
+/// Measurements for the lines of a topic.
 using Figures = std::vector<std::optional<double>>;
 
 /// The blocks of a text, without their marks. @throws std::runtime_error  a mark has no partner, or
@@ -28,7 +28,7 @@ Blocks blocks_of(const std::string& text);
 /// nothing for a block.
 std::string with_blocks(const std::string& text, const Blocks& blocks);
 
-/// A table of lines and what was measured for each, in the unit of the line; nothing where its data
+/// A table of lines with the measurement of each, in the unit of the line; nothing where its data
 /// are missing.
 std::string table_of(const std::vector<FigureLine>& lines, const Figures& figures);
 
@@ -36,7 +36,7 @@ std::string table_of(const std::vector<FigureLine>& lines, const Figures& figure
 /// place in it.
 Blocks tables_of(const std::vector<FigureTopic>& topics, const std::vector<Figures>& figures);
 
-/// What table_of() shows as measured. @throws std::runtime_error  not such a table.
+/// The measured values that table_of() shows. @throws std::runtime_error  not such a table.
 Figures figures_in(const std::string& table);
 
 /// Why a figure breaks the bounds of its line, or nothing.

@@ -28,7 +28,7 @@ std::string message_of(const Call& call) {
   return "no error";
 }
 
-// ---- What is committed. ----
+// ---- The committed page. ----
 
 // The figures as they are shown, back into the tables of the list: the same tables. So every line
 // is there with the words and bounds of the list, in order, and keeps its bounds.
@@ -115,7 +115,7 @@ TEST(ValidationTable, ShowsFiguresAndBounds) {
   EXPECT_EQ(table_of(lines, figures_in(table)), table);
 }
 
-// Lines stand by their places, and "the same" is told.
+// Lines are in the order of their places, and "the same" is resolved.
 TEST(ValidationTable, SummaryIsInItsOrder) {
   FigureTopic topic{"a", std::vector<FigureLine>(3, line_of({}, 1.0))};
   topic.lines[0].summary = 2;

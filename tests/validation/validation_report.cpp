@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A regular expression that finds the name and no longer one, or all that begin with what stands
+/// A regular expression that finds the name and no longer one, or all that begin with the text
 /// before a *.
 std::string expression(const std::string& name) {
   return name.ends_with('*') ? "^" + name.substr(0, name.size() - 1) : "^" + name + "$";
@@ -84,13 +84,13 @@ std::string machine(double load) {
       system_value("/etc/os-release", "PRETTY_NAME"), __VERSION__, load);
 }
 
-/// Tables by the names of their topics, `summary` for the README, and what is wrong.
+/// Tables by the names of their topics, `summary` for the README, and the faults.
 struct Report {
   Blocks blocks;
   std::vector<std::string> faults;
 };
 
-/// The figure of a line; what is wrong with it goes to the faults.
+/// The figure of a line; its faults are added to the list.
 std::optional<double> checked_figure(const FigureLine& line, const Measurements& measured,
                                      std::vector<std::string>& faults) {
   try {

@@ -145,7 +145,7 @@ void add_backbone(CLI::App& program, Call& call) {
       ->capture_default_str();
   add_draw_arguments(
       *command, options->draws,
-      "force_lower and force_upper [N], likewise for frequency [Hz] and damping_ratio [1]");
+      "force_lower and force_upper [N], and those of frequency [Hz] and damping_ratio [1]");
   add_correlation_argument(*command, options->draws);
   add_examples(*command,
                {"microslip backbone model.toml --response 10mm:2:40:log --out backbone.csv",

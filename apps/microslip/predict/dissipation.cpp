@@ -62,7 +62,7 @@ void add_dissipation(CLI::App& program, Call& call) {
       ->required()
       ->type_name(kCsvValue);
   add_joint_draw_arguments(*command, options->draws,
-                           "force_lower and force_upper [N], likewise for the other columns");
+                           "force_lower and force_upper [N], and those of the other columns");
   command->add_flag("--quiet", call.quiet, "No warnings on the screen; the file contains them");
   add_examples(*command,
                {"microslip dissipation joint.json --amplitude 1um:300um:50:log --out curve.csv",

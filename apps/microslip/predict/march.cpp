@@ -152,7 +152,7 @@ int run(const MarchArguments& arguments, const Call& call) {
 
 void add_march_draws(CLI::App& command, MarchArguments& arguments) {
   add_draw_arguments(command, arguments.draws,
-                     "displacement_lower and displacement_upper [m] at each time, likewise for "
+                     "displacement_lower and displacement_upper [m] at each time, and those of "
                      "each computed column");
   add_correlation_argument(command, arguments.draws);
   command

@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// Of the axis of an amplitude, and of energies over it.
+/// Scale of the axis of an amplitude, and of energies over it.
 enum class AmplitudeScale { kAsSuits, kLinear, kLog };
 
 /// A joint under a name.
@@ -18,12 +18,12 @@ struct NamedJoint {
   Joint joint;       ///< drawn beside that of the results
 };
 
-/// What the figures of a test leave to choose.
+/// Options of the figures of a test.
 struct FigureOptions {
   AmplitudeScale scale = AmplitudeScale::kAsSuits;  ///< of the axis of an amplitude
   std::vector<NamedJoint> others = {};              ///< drawn beside the joint of the results
   std::string response_unit = "m/s²";               ///< of a response: "m/s²", "g"
-  std::vector<Layer> beside = {};  ///< in SI units, drawn behind what the results tell
+  std::vector<Layer> beside = {};                   ///< in SI units, drawn behind the results
 };
 
 }  // namespace microslip

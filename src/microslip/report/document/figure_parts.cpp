@@ -19,7 +19,7 @@ constexpr std::array<Stroke, 3> kOthers = {{{.colour = kGreen, .style = LineStyl
                                             {.colour = kPurple, .style = LineStyle::kLongDashed},
                                             {.colour = kOrange, .style = LineStyle::kDotted}}};
 
-/// Where curves beside the levels are sampled, m.
+/// Amplitudes at which curves beside the levels are sampled, m.
 std::vector<double> drawn_amplitudes(const ExperimentResults& results) {
   if (results.levels) return curve_amplitudes(results.levels->levels);
   const IdentifiedJoint& found = joint_of(results);

@@ -10,7 +10,7 @@
 #include "microslip/workflow/results/sampled_curves.hpp"
 
 /// @file
-/// What several figures of a test need. Internal to report.
+/// Parts that several figures of a test share. Internal to report.
 
 namespace microslip {
 
@@ -26,11 +26,11 @@ namespace microslip {
 inline constexpr Stroke kFound = {.colour = kBlue, .width = 2.4};
 inline constexpr Stroke kTruth = {.colour = kVermillion, .style = LineStyle::kDashed, .width = 1.4};
 
-/// What the joints of a rig predict, in legends.
+/// Legends of predictions by the joints of a rig.
 inline constexpr const char* kPredictedByJoint = "predicted by the joint";
 inline constexpr const char* kPredictedByTruth = "by the true joint";
 
-/// In legends. A joint that was not identified covers no levels.
+/// Name of the joint in legends. A joint that was not identified covers no levels.
 [[nodiscard]] const char* joint_name(const IdentifiedJoint& found);
 
 /// A joint that is drawn beside others.
@@ -40,15 +40,15 @@ struct ShownJoint {
   Stroke stroke = {};  ///< of its line
 };
 
-/// The truth, and the others of the options.
+/// The true joint, and the other joints of the options.
 [[nodiscard]] std::vector<ShownJoint> drawn_others(const ExperimentResults& results,
                                                    const FigureOptions& options);
 
-/// With the joint of the results before them: dashed lines can be seen on its solid one.
+/// The joint of the results and drawn_others(): dashed lines can be seen on its solid one.
 [[nodiscard]] std::vector<ShownJoint> drawn_joints(const ExperimentResults& results,
                                                    const FigureOptions& options);
 
-/// Where the last slider slips, m. @throws InputError  where none does.
+/// Amplitude at which the last slider slips, m. @throws InputError  where none does.
 [[nodiscard]] double macroslip_amplitude(const Joint& joint);
 
 /// Whether an axis of amplitudes is logarithmic. @param suits  where the options leave it open.
@@ -61,7 +61,7 @@ struct ShownJoint {
                                    std::string legend, int colour = kBlack);
 
 /// A quantity of the joint, of the true one and of others over the amplitudes of the levels, of
-/// what the identification covered, or up to where the joint slips.
+/// the range that the identification covered, or up to where the joint slips.
 void add_curves(Figure& figure, const ExperimentResults& results, const FigureOptions& options,
                 JointQuantity quantity);
 

@@ -6,11 +6,11 @@
 #include "microslip/report/drawing/figure.hpp"
 
 /// @file
-/// What figures of harmonics need. Internal to report.
+/// Parts that figures of harmonics share. Internal to report.
 
 namespace microslip {
 
-/// With room for the bars of the first and the last harmonic.
+/// Axis of harmonics with room for the bars of the first and the last one.
 [[nodiscard]] FigureAxis harmonic_axis(std::size_t first, std::size_t last);
 
 /// The line of the distortion that a controlled force may have, %. [AR14]

@@ -12,7 +12,7 @@
 #include "microslip/report/drawing/figure.hpp"
 
 /// @file
-/// What a report says, apart from how it looks (html_report). Texts are UTF-8 and shown as
+/// The contents of a report, apart from how it looks (html_report). Texts are UTF-8 and shown as
 /// they are, without markup: names out of files can do no harm. Values are drawn as they are given:
 /// a caller who wants µm on an axis scales the data and names µm as its unit.
 
@@ -24,7 +24,7 @@ struct FigureChoice {
   std::vector<Layer> layers = {};  ///< what is drawn then
 };
 
-/// How a figure is drawn on the screen.
+/// Kind of chart on the screen.
 enum class ChartKind {
   kPlot,
   kTimeHistory,  ///< lines over time, many points; those of a section share their cursor
@@ -42,7 +42,7 @@ struct ReportFigure {
   bool wide = false;                       ///< over the width of the page
 };
 
-/// What is drawn at first.
+/// The content that is drawn at first.
 [[nodiscard]] const std::vector<Layer>& chosen_layers(const ReportFigure& figure);
 
 /// A column of a table.
@@ -81,20 +81,20 @@ struct ReportText {
   std::string text;  ///< of the paragraph
 };
 
-/// What to worry about. Never hidden.
+/// Warnings. Never hidden.
 struct ReportWarnings {
   std::vector<Warning> warnings = {};  ///< in the order shown
   bool beside = false;                 ///< stands beside the figure before it where there is room
 };
 
-/// What a report says first: whether its result is to be believed, and what it is warned of.
+/// The verdict at the top of a report: whether its result is reliable, and its warnings.
 struct ReportVerdict {
   std::string text;                ///< a sentence or two
   bool doubtful = false;           ///< whether the text is a warning
-  std::vector<std::string> codes;  ///< of the warnings of the section, which tell more
+  std::vector<std::string> codes;  ///< of the warnings of the section, which have the details
 };
 
-/// What is not there, and the command that makes it.
+/// Missing contents, and the command that makes them.
 struct ReportMissing {
   std::string text;          ///< what is missing
   std::string command = {};  ///< that makes it; may be empty

@@ -15,10 +15,10 @@ inline constexpr double kMillisecond = 1e-3;        // s
 inline constexpr double kKilonewtonPerMetre = 1e3;  // N/m
 inline constexpr double kPercent = 1e-2;
 
-/// So many atoms are marked in figures and named in the summary.
+/// Largest number of atoms that are marked in figures and named in the summary.
 inline constexpr std::size_t kMostAtomsShown = 3;
 
-/// values/unit.
+/// Returns values/unit.
 [[nodiscard]] inline std::vector<double> in_unit(std::vector<double> values, double unit) {
   for (double& value : values) value /= unit;
   return values;

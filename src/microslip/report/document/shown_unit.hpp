@@ -23,19 +23,19 @@ struct ShownUnit {
 /// in 1/N as in files and texts.
 [[nodiscard]] ShownUnit shown_unit(std::string_view si_unit, double largest);
 
-/// What has the SI unit, as the reader calls it: "force" of "N"; "signal" of others.
+/// Name of the quantity with the SI unit: "force" of "N"; "signal" of others.
 [[nodiscard]] std::string quantity_of_unit(std::string_view si_unit);
 
 /// Turns the x of all layers, with their bars and the range of the axis, from SI to the unit that
-/// suits the largest of them, and labels the axis. The same of y.
+/// suits the largest of them, and labels the axis; show_y() does so for y.
 void show_x(Figure& figure, std::string_view label, std::string_view si_unit);
 void show_y(Figure& figure, std::string_view label, std::string_view si_unit);
 
-/// The same in a unit that is given.
+/// As above, in a given unit.
 void show_x(Figure& figure, std::string_view label, const ShownUnit& unit);
 void show_y(Figure& figure, std::string_view label, const ShownUnit& unit);
 
-/// The same of all that the reader of a page chooses from, in one unit.
+/// As above, for all choices of a figure of a page, in one unit.
 void show_x(ReportFigure& figure, std::string_view label, std::string_view si_unit);
 void show_y(ReportFigure& figure, std::string_view label, std::string_view si_unit);
 

@@ -15,7 +15,7 @@
 namespace microslip {
 namespace {
 
-/// From and to of the points of a layer without a gap between them.
+/// Begin and end of the runs of finite values of a layer.
 std::vector<std::pair<std::size_t, std::size_t>> runs(const std::vector<double>& y) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -26,7 +26,7 @@ std::vector<std::pair<std::size_t, std::size_t>> runs(const std::vector<double>&
   return found;
 }
 
-/// Keeps those from, to and every `step`-th of them; none stays none.
+/// Keeps every `step`-th of the values from `from` to `to`; an empty vector stays empty.
 void cut(std::vector<double>& values, std::size_t from, std::size_t to, std::size_t step = 1) {
   if (values.empty()) return;
   std::size_t kept = 0;
@@ -42,7 +42,7 @@ void cut_all(LayerOfPoints& layer, std::size_t from, std::size_t to, std::size_t
   }
 }
 
-/// Hundreds of marks cover each other, and each is many bytes of a picture.
+/// Thins out marks: hundreds cover each other, and each is many bytes of a picture.
 void thin(PointLayer& points) {
   constexpr std::size_t kMost = 100;
   if (points.x.size() <= kMost) return;
@@ -51,7 +51,7 @@ void thin(PointLayer& points) {
   cut_all(points, 0, points.x.size(), step);
 }
 
-/// Without its gaps.
+/// Adds the layer as pieces without gaps.
 void add_pieces(Layer layer, std::vector<Layer>& layers) {
   std::visit(
       [&](auto& concrete) {

@@ -13,7 +13,7 @@ namespace microslip {
 /// are drawn, and the legend says so.
 [[nodiscard]] Figure static_picture(const ReportFigure& figure);
 
-/// What the figure shows, for those who do not see it: axes, and each layer with its range.
+/// Text that describes the figure to those who do not see it: axes, and each layer with its range.
 [[nodiscard]] std::string picture_text(const ReportFigure& figure);
 
 }  // namespace microslip

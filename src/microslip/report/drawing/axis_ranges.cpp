@@ -61,7 +61,7 @@ bool inside(double value, const std::optional<AxisRange>& range) {
   return !range || (range->from <= value && value <= range->to);
 }
 
-/// What the layers cover where `shown` holds.
+/// The interval that the layers cover where `shown` holds.
 template <class Shown>
 void include_layers(const Figure& figure, Extent& x, Extent& y, Shown shown) {
   for (const Layer& layer : figure.layers) {

@@ -4,7 +4,7 @@
 #include "microslip/report/drawing/figure.hpp"
 
 /// @file
-/// How far the axes of a figure reach. Internal to report.
+/// Ranges of the axes of a figure. Internal to report.
 
 namespace microslip {
 
@@ -13,11 +13,11 @@ struct AxisRanges {
   AxisRange y;
 };
 
-/// The ranges that the figure asks for; where it does not, what its layers cover and a little more,
-/// from zero on where that is near. The figure must keep the rules of check_figure().
+/// The ranges that the figure asks for; where it does not, that of its layers and a little more,
+/// from zero on where that is close. The figure must keep the rules of check_figure().
 [[nodiscard]] AxisRanges axis_ranges(const Figure& figure);
 
-/// Where the value lies along the axis: 0 at its start, 1 at its end.
+/// Place of the value along the axis: 0 at its start, 1 at its end.
 [[nodiscard]] double axis_fraction(const AxisRange& range, bool log, double value);
 
 }  // namespace microslip

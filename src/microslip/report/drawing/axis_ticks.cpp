@@ -23,8 +23,8 @@ std::string with_minus(std::string text) {
   return text;
 }
 
-/// With `digits` significant digits; the power of ten apart where the number is very large or
-/// small.
+/// Label with `digits` significant digits; with a separate power of ten where the number is very
+/// large or small.
 TickLabel label_of(double value, int digits) {
   const std::string text = fmt::format("{:.{}g}", value, digits);
   const std::size_t e = text.find('e');
@@ -137,7 +137,7 @@ Ticks linear_ticks(const Scale& scale) {
   }
 }
 
-/// The densest that fit of those at parts or multiples of 90 degrees; others where none do.
+/// The densest labels that fit at parts or multiples of 90 degrees; else linear_ticks().
 Ticks degree_ticks(const Scale& scale) {
   for (const int step : {15, 30, 45, 90, 180, 360}) {
     std::vector<TickLabel> labels = multiples_of(step, 0, scale.range);
@@ -146,7 +146,7 @@ Ticks degree_ticks(const Scale& scale) {
   return linear_ticks(scale);
 }
 
-/// Of an axis with less than three powers of ten; nothing where no labels fit.
+/// Labels of an axis with less than three powers of ten; none where none fit.
 std::vector<TickLabel> short_log_labels(const Scale& scale) {
   std::vector<TickLabel> labels = labels_of(multiples_of_powers(scale.range, {1, 2, 5}));
   if (labels.size() >= 3) return scale.fits(labels) ? labels : std::vector<TickLabel>{};

@@ -27,13 +27,13 @@ struct CloseStream {
   void operator()(std::FILE* stream) const { std::fclose(stream); }
 };
 
-/// Owns a socket by way of a stream that is never read or written.
+/// Owns a socket through a stream that is never read or written.
 using Socket = std::unique_ptr<std::FILE, CloseStream>;
 
 int number_of(const Socket& socket) { return socket ? fileno(socket.get()) : -1; }
 
 /// Two connected sockets, which no child inherits unless it is given them. Sockets rather than
-/// pipes, because a send() to a child that is gone can be told not to raise SIGPIPE.
+/// pipes, because a send() to a child that is gone can be kept from raising SIGPIPE.
 struct SocketPair {
   Socket ours;
   Socket childs;

@@ -6,11 +6,11 @@
 #include "microslip/report/drawing/figure_content.hpp"
 
 /// @file
-/// What of a layer is drawn on given axes. Internal to report.
+/// The part of a layer that is drawn on given axes. Internal to report.
 
 namespace microslip {
 
-/// Where zero begins on a logarithmic axis.
+/// Values below this count as zero on a logarithmic axis.
 inline constexpr double kSmallestOnLog = 1e-100;
 
 /// Half of the width of all bars at a whole number.
@@ -31,8 +31,8 @@ struct Place {
 /// Places that follow each other without a gap.
 using Piece = std::vector<Place>;
 
-/// The layer without what has no place on a logarithmic axis, split there; a loop ends where it
-/// begins. Nothing for a marker and for what is not shown. The layer must keep the rules of
+/// The layer without points that have no place on a logarithmic axis, split there; a loop ends
+/// where it begins. Nothing for a marker and for a hidden layer. The layer must keep the rules of
 /// check_figure().
 [[nodiscard]] std::vector<Piece> drawn_pieces(const Layer& layer, bool log_x, bool log_y);
 

@@ -8,14 +8,14 @@
 #include <vector>
 
 /// @file
-/// What a figure shows, apart from how it is drawn: on paper by gnuplot (gnuplot), on a page
+/// The contents of a figure, apart from how it is drawn: on paper by gnuplot (gnuplot), on a page
 /// by its scripts (html_report). Values are drawn as they are given: a caller who wants µm
 /// on an axis scales the data and names µm as its unit. Texts are UTF-8 and shown as they are,
 /// without markup.
 
 namespace microslip {
 
-/// Colours that people with any colour vision tell apart (Okabe and Ito), as indices: blue,
+/// Colours that people with any colour vision distinguish (Okabe and Ito), as indices: blue,
 /// vermilion, bluish green, reddish purple, orange, sky blue, black, grey. Larger indices start
 /// again.
 inline constexpr int kColours = 8;
@@ -28,7 +28,7 @@ inline constexpr int kSkyBlue = 5;     ///< `#56b4e9`
 inline constexpr int kBlack = 6;       ///< `#000000`
 inline constexpr int kGrey = 7;        ///< `#707070`
 
-/// From one end of an axis to the other, in the unit of the data.
+/// The range of an axis, in the unit of the data.
 struct AxisRange {
   double from = 0.0;  ///< its lower end
   double to = 1.0;    ///< > from
@@ -47,7 +47,7 @@ struct FigureAxis {
 /// "slip force f* [N]"; the label alone where there is no unit.
 [[nodiscard]] std::string axis_text(const FigureAxis& axis);
 
-/// How a line is drawn.
+/// Style of a line.
 enum class LineStyle { kSolid, kDashed, kDotted, kDashDotted, kLongDashed };
 
 /// Colour, style and width of a line.
@@ -58,24 +58,24 @@ struct Stroke {
 };
 
 // Of all layers but markers: layers with the same `legend` share its entry, an empty one keeps a
-// layer out of it. `name` says more than the legend where the reader of a page points at the layer;
-// empty where it says the same. A layer that is not `shown` is on a page alone, where the reader
-// turns it on.
+// layer out of it. `name` is the full text where the reader of a page points at the layer; empty
+// where it would repeat the legend. A layer that is not `shown` is on a page alone, where the
+// reader turns it on.
 
 /// A line through the points, in their order.
 struct LineLayer {
   std::vector<double> x = {};  ///< in the unit of the axis
-  std::vector<double> y = {};  ///< one an x
+  std::vector<double> y = {};  ///< one per x
   std::string legend = {};     ///< see above
   Stroke stroke = {};          ///< of the line
   std::string name = {};       ///< see above
   bool shown = true;           ///< see above
 };
 
-/// As a line, with the last point joined to the first: a hysteresis loop.
+/// A line whose last point is joined to the first: a hysteresis loop.
 struct LoopLayer {
   std::vector<double> x = {};  ///< in the unit of the axis
-  std::vector<double> y = {};  ///< one an x
+  std::vector<double> y = {};  ///< one per x
   std::string legend = {};     ///< see above
   Stroke stroke = {};          ///< of the line
   std::string name = {};       ///< see above
@@ -86,9 +86,9 @@ struct LoopLayer {
 /// x_error to x + x_error and from y − y_error to y + y_error.
 struct PointLayer {
   std::vector<double> x = {};        ///< in the unit of the axis
-  std::vector<double> y = {};        ///< one an x
-  std::vector<double> x_error = {};  ///< none, or one an x, ≥ 0
-  std::vector<double> y_error = {};  ///< none, or one an x, ≥ 0
+  std::vector<double> y = {};        ///< one per x
+  std::vector<double> x_error = {};  ///< none, or one per x, ≥ 0
+  std::vector<double> y_error = {};  ///< none, or one per x, ≥ 0
   std::string legend = {};           ///< see above
   int colour = kBlue;                ///< ≥ 0
   double size = 1.0;                 ///< of the marks on paper, relative; > 0
@@ -100,8 +100,8 @@ struct PointLayer {
 /// The translucent area between `lower` and `upper`.
 struct BandLayer {
   std::vector<double> x = {};      ///< in the unit of the axis
-  std::vector<double> lower = {};  ///< one an x
-  std::vector<double> upper = {};  ///< one an x, ≥ lower
+  std::vector<double> lower = {};  ///< one per x
+  std::vector<double> upper = {};  ///< one per x, ≥ lower
   std::string legend = {};         ///< see above
   int colour = kBlue;              ///< ≥ 0
   std::string name = {};           ///< see above
@@ -112,7 +112,7 @@ struct BandLayer {
 /// side by side.
 struct BarLayer {
   std::vector<double> x = {};  ///< whole numbers
-  std::vector<double> y = {};  ///< one an x
+  std::vector<double> y = {};  ///< one per x
   std::string legend = {};     ///< see above
   int colour = kBlue;          ///< ≥ 0
   std::string name = {};       ///< see above
@@ -129,10 +129,10 @@ struct MarkerLayer {
 /// Anything that can be drawn on a pair of axes.
 using Layer = std::variant<LineLayer, LoopLayer, PointLayer, BandLayer, BarLayer, MarkerLayer>;
 
-/// Where the legend goes. Below and on the right it covers no data, however long it is.
+/// Place of the legend. Below and on the right it covers no data, however long it is.
 enum class Legend { kBelow, kRight, kTopLeft, kTopRight, kBottomLeft, kBottomRight, kNone };
 
-/// One pair of axes and what is drawn on it, the first layer at the back.
+/// One pair of axes and its layers, the first one at the back.
 ///
 /// On a logarithmic axis zero and negative values, all below 1e-100, have no place: points there
 /// are left out, lines and bands break, and the lower edge of a band or bar that reaches them goes
@@ -160,7 +160,7 @@ struct FigureGrid {
 /// Its name, or its legend where it has none.
 [[nodiscard]] const std::string& name_of(const Layer& layer);
 
-/// Of a marker always.
+/// Whether a layer is shown at first; a marker always is.
 [[nodiscard]] bool is_shown(const Layer& layer);
 
 }  // namespace microslip

@@ -166,8 +166,8 @@ std::string xml_text(std::string_view text) {
   return escaped;
 }
 
-/// What a screen reader says and a browser shows at the mouse pointer becomes the title of the
-/// figure.
+/// The title that a screen reader reads and a browser shows at the mouse pointer becomes that of
+/// the figure.
 void set_svg_title(std::string& picture, std::string_view title) {
   replace_all(picture, "<title>Gnuplot</title>", fmt::format("<title>{}</title>", xml_text(title)));
 }
@@ -206,7 +206,7 @@ void set_pdf_date(std::string& picture) {
   picture.replace(at + kKey.size(), kDate.size(), kDate);
 }
 
-/// What the picture is called: its title or, without one, what it shows.
+/// The name of the picture: its title or, without one, its axes.
 std::string title_of(const Figure& figure) {
   if (!figure.title.empty() || figure.y.label.empty()) return figure.title;
   return fmt::format("{} over {}", axis_text(figure.y), axis_text(figure.x));
@@ -216,7 +216,7 @@ std::string title_of(const FigureGrid& grid) {
   if (!grid.title.empty()) return grid.title;
   std::string name;
   for (Figure panel : grid.panels) {
-    panel.title.clear();  // "(a)" says little
+    panel.title.clear();  // "(a)" is no title
     name += (name.empty() ? "" : "; ") + title_of(panel);
   }
   return name;
@@ -284,7 +284,7 @@ std::string run_gnuplot(std::string_view script) {
   if (result->status == 0 && !result->output.empty()) return result->output;
   const std::string why = reason(result->errors);
   throw Error(fmt::format("gnuplot failed with status {}: {}", result->status,
-                          why.empty() ? "it says nothing" : why));
+                          why.empty() ? "without a message" : why));
 }
 
 }  // namespace microslip

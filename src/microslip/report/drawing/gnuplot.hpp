@@ -24,7 +24,7 @@ struct PictureSize {
   int height = 500;  ///< 100 to 10000
 };
 
-/// How a picture looks and is printed.
+/// Style of a picture, on screen and in print.
 struct PictureStyle {
   double pixels_per_inch = 96.0;  ///< of the nominal size on paper, in SVG and PDF; 24 to 600
   double png_scale = 2.0;         ///< pixels of a PNG file per px of the nominal size; 0.5 to 20
@@ -37,7 +37,7 @@ struct PictureStyle {
 /// @throws InputError  where check_figure() does, or the size or the style is out of range.
 [[nodiscard]] std::string gnuplot_script(const Figure& figure, PictureFormat format,
                                          PictureSize size = {}, const PictureStyle& style = {});
-/// The same of a grid; the size is that of all panels together.
+/// The commands for a grid; the size is that of all panels together.
 [[nodiscard]] std::string gnuplot_script(const FigureGrid& grid, PictureFormat format,
                                          PictureSize size, const PictureStyle& style = {});
 
@@ -46,11 +46,11 @@ struct PictureStyle {
 /// @throws InputError  as gnuplot_script(). @throws Error  where gnuplot is not installed or fails.
 [[nodiscard]] std::string draw(const Figure& figure, PictureFormat format, PictureSize size = {},
                                const PictureStyle& style = {});
-/// The same of a grid.
+/// Draws a grid.
 [[nodiscard]] std::string draw(const FigureGrid& grid, PictureFormat format, PictureSize size,
                                const PictureStyle& style = {});
 
-/// Runs a script of gnuplot commands. @return what it wrote to standard output.
+/// Runs a script of gnuplot commands. @return its standard output.
 /// @throws Error  where gnuplot is not installed, or an error occurs in the script.
 [[nodiscard]] std::string run_gnuplot(std::string_view script);
 

@@ -77,7 +77,8 @@ const char* name_of(Side side) {
   return "left";
 }
 
-/// Means nothing to gnuplot within a string. Bytes beyond ASCII are letters of UTF-8.
+/// Whether the character has no meaning for gnuplot within a string. Bytes beyond ASCII are letters
+/// of UTF-8.
 bool is_plain(char c) {
   constexpr std::string_view kPlain = " ()[].,:;=+-*/<>%!?_^|";
   return static_cast<unsigned char>(c) >= 0x80U || (c >= '0' && c <= '9') ||
@@ -296,7 +297,7 @@ class PanelWriter {
                        fill_of(layer.colour), colour_of(layer.colour));
   }
 
-  /// Where a layer has its bar beside a whole number.
+  /// Begin and end of the bar of a layer about a whole number.
   [[nodiscard]] std::pair<double, double> side_by_side(const BarLayer& layer) const {
     double count = 0.0;
     double before = 0.0;
@@ -309,12 +310,12 @@ class PanelWriter {
     return {before * width - kHalfOfBars, (before + 1.0) * width - kHalfOfBars};
   }
 
-  /// Has no pieces; it is drawn by append_markers().
+  /// A marker has no pieces; it is drawn by append_markers().
   static std::string element(const MarkerLayer& /*layer*/, const std::vector<Piece>& /*pieces*/) {
     return {};
   }
 
-  /// The end of the axis in place of what a logarithmic axis cannot show.
+  /// The end of the axis in place of a value that a logarithmic axis cannot show.
   static double on_axis(double low, const FigureAxis& axis, const AxisRange& range) {
     return axis.log && low < kSmallestOnLog ? range.from : low;
   }

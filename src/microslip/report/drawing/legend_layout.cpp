@@ -48,7 +48,7 @@ std::vector<LegendText> first_texts(const std::vector<LegendText>& texts, std::s
   return first;
 }
 
-/// Where the columns start, from the left of the legend.
+/// Starts of the columns, from the left of the legend.
 std::vector<double> column_starts(const std::vector<LegendText>& texts, double width) {
   if (texts.empty()) return {0.0};
   std::vector<double> starts = {0.0};
@@ -91,11 +91,11 @@ std::vector<LegendEntry> all_rows(const std::vector<LegendText>& texts, const Bo
 std::vector<LegendText> legend_texts(const Figure& figure, double width) {
   std::vector<LegendText> texts;
   if (figure.legend == Legend::kNone) return texts;
-  std::set<std::string_view> told;
+  std::set<std::string_view> listed;
   for (std::size_t i = 0; i < figure.layers.size(); ++i) {
     const Layer& layer = figure.layers[i];
     if (std::holds_alternative<MarkerLayer>(layer) || !is_shown(layer)) continue;
-    if (!told.insert(legend_of(layer)).second) continue;
+    if (!listed.insert(legend_of(layer)).second) continue;
     auto lines = wrapped(legend_of(layer), width - kSampleWidth - kTextGap, kSmallFont);
     if (!lines.empty()) texts.push_back({.layer = i, .lines = std::move(lines)});
   }

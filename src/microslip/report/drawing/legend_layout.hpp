@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// The text for a layer, broken into lines; without a layer what says how many more there are.
+/// The text for a layer, broken into lines; without a layer, the number of further entries.
 struct LegendText {
   std::optional<std::size_t> layer;
   std::vector<std::string> lines;
@@ -34,23 +34,23 @@ inline constexpr double kSampleWidth = 26.0;  ///< px
 /// figure has no legend.
 [[nodiscard]] std::vector<LegendText> legend_texts(const Figure& figure, double width);
 
-/// Of the widest entry, with its sample.
+/// Width of the widest entry, with its sample, px.
 [[nodiscard]] double legend_width(const std::vector<LegendText>& texts);
 
-/// As many of the texts as are at most `height` px high when they stand one below the other; in
-/// place of the rest, how many these are.
+/// As many of the texts, one below the other, as fit into `height` px; in place of the rest, their
+/// number.
 [[nodiscard]] std::vector<LegendText> fitting_texts(const std::vector<LegendText>& texts,
                                                     double height);
 
-/// Of all entries, one below the other.
+/// Height of all entries, one below the other, px.
 [[nodiscard]] double legend_height(const std::vector<LegendText>& texts);
 
-/// One below the other.
+/// Places the entries one below the other.
 [[nodiscard]] std::vector<LegendEntry> legend_column(const std::vector<LegendText>& texts,
                                                      double left, double top);
 
-/// Side by side in as many rows as they need, the last one at the bottom of the room; what the room
-/// is too low for is counted only.
+/// Places the entries side by side in as many rows as they need, the last one at the bottom of the
+/// room; entries for which the room is too low are only counted.
 /// @param[out] height  of the rows.
 [[nodiscard]] std::vector<LegendEntry> legend_rows(const std::vector<LegendText>& texts,
                                                    const Box& room, double& height);

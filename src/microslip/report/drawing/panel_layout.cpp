@@ -236,7 +236,7 @@ class LayoutMaker {
     }
   }
 
-  /// In the middle of the axis, unless the label is longer than that and would leave the space.
+  /// Places the label in the middle of the axis, unless it is longer and would leave the space.
   void place_y_label() {
     const Box& axes = layout_.axes;
     for (const std::string& line : y_lines_) {

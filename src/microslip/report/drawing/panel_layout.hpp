@@ -11,7 +11,7 @@
 #include "microslip/report/drawing/placed.hpp"
 
 /// @file
-/// Where the parts of a figure go, so that none covers another. gnuplot's own layout knows the
+/// Places of the parts of a figure, so that none covers another. gnuplot's own layout knows the
 /// width of no text and lets long legends run over the axes or leaves them out. Internal to report.
 
 namespace microslip {
@@ -45,15 +45,16 @@ struct PanelLayout {
   Box legend_box;  ///< around the legend where it lies inside the axes
 };
 
+/// Lays out a figure.
 /// @param figure  must keep the rules of check_figure().
 /// @param space   all that the figure may cover.
-/// @param least   the axes keep at least so far from its edges; what belongs to an edge moves
+/// @param least   least distance of the axes from its edges; the parts at an edge move
 ///                along.
 /// @throws InputError  where the texts leave no room for the axes.
 [[nodiscard]] PanelLayout panel_layout(const Figure& figure, const Box& space,
                                        const Margins& least = {});
 
-/// How far the axes are from the edges.
+/// Distances of the axes from the edges.
 [[nodiscard]] Margins margins_of(const PanelLayout& layout, const Box& space);
 
 }  // namespace microslip

@@ -27,10 +27,10 @@ struct PaperPicture {
 };
 
 /// Draws with letters of 8 to 10 points whatever the width, axes on all four sides, panels lettered
-/// (a), (b), …, and lines of a legend told apart by their dashes too, unless one is far wider; of
-/// more than five some are alike. The height follows from the panels, at most that of a page where
-/// their axes can be so low; fewer of them stand side by side where they would be narrower than 55
-/// mm. A PNG has 600 dots an inch.
+/// (a), (b), …, and lines of a legend distinguished by their dashes too, unless one is far wider;
+/// of more than five some are alike. The height follows from the panels, at most that of a page
+/// where their axes can be so low; fewer of them stand side by side where they would be narrower
+/// than 55 mm. A PNG has 600 dots per inch.
 /// @throws InputError  as draw(), and for a width out of range. @throws Error  as draw().
 [[nodiscard]] PaperPicture draw_for_paper(FigureGrid grid, PictureFormat format,
                                           const PaperPrint& print = {});

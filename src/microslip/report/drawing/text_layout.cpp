@@ -46,8 +46,8 @@ std::uint32_t code_point(std::string_view character) {
   return code;
 }
 
-/// Neither an overlong form, nor half of a surrogate pair, nor U+FFFE and U+FFFF, nor beyond
-/// Unicode.
+/// Whether the code is neither an overlong form, nor half of a surrogate pair, nor U+FFFE or
+/// U+FFFF, nor beyond Unicode.
 bool is_allowed(std::uint32_t code, std::size_t length) {
   if (length == 3) return code >= 0x800U && (code < 0xD800U || code > 0xDFFFU) && code < 0xFFFEU;
   if (length == 4) return code >= 0x10000U && code <= 0x10FFFFU;

@@ -6,7 +6,7 @@
 #include <vector>
 
 /// @file
-/// The size of texts and where they break. Internal to report.
+/// Size and line breaks of texts. Internal to report.
 
 namespace microslip {
 

@@ -22,7 +22,7 @@ constexpr const char* kSlipForce = "slip force f*";
 constexpr const char* kDensity = "density φ";
 constexpr const char* kDisplacement = "displacement at the response point";
 constexpr const char* kMarksAndLines = "Marks are measured, lines found.";
-/// Of what curves are held against.
+/// Stroke of reference lines.
 constexpr Stroke kThinDashes = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.0};
 
 const LevelsOfModes& modes_of(const ExperimentResults& results) {
@@ -38,8 +38,8 @@ bool has_either(const ExperimentResults& results, std::vector<double> LevelsOfMo
   return !(levels.*one).empty() || !(levels.*other).empty();
 }
 
-/// Beyond what the largest is elsewhere a density at its first knots is not shown whole: it may
-/// rise without end there, and hardly anything slips.
+/// Height of the axis: the largest density except at its first knots, where it may be
+/// unbounded and hardly anything slips.
 double shown_height(const std::vector<DensityFound>& joints) {
   constexpr double kFirst = 0.02;  // of the slip forces
   double highest = 0.0;
@@ -67,14 +67,14 @@ Figure density_panel(const std::vector<DensityFound>& joints, std::vector<Layer>
   return figure;
 }
 
-std::string told_caption(const std::vector<DensityFound>& joints) {
-  const auto says = [](const DensityFound& joint) { return !joint.told.empty(); };
-  if (std::ranges::none_of(joints, says)) return {};
-  return " It is grey where the levels took less than half of what was not known before them: the "
-         "density goes on smoothly there, as was supposed.";
+std::string prior_caption(const std::vector<DensityFound>& joints) {
+  const auto has_reduction = [](const DensityFound& joint) { return !joint.told.empty(); };
+  if (std::ranges::none_of(joints, has_reduction)) return {};
+  return " It is grey where the variance reduction is below 50 %: the density is continued "
+         "smoothly there, by the prior.";
 }
 
-/// Over the displacement; without values there is no figure.
+/// Figure over the displacement. @throws InputError  without layers.
 Figure over_displacement(std::vector<Layer> layers, const char* missing,
                          const FigureOptions& options) {
   if (layers.empty()) throw_missing(missing, "the figure needs them");
@@ -104,7 +104,7 @@ LineLayer level_line(const LevelsOfModes& levels, double y, std::string legend =
   return {{from, to}, {y, y}, std::move(legend), kThinDashes};
 }
 
-/// Frequencies that a mode is shown over, and its offset.
+/// Reference frequency of a mode, and its offset.
 struct FrequencyBase {
   double frequency = 0.0;  // Hz
   double offset = 0.0;     // of the measured ones, relative
@@ -132,15 +132,15 @@ Figure residual_figure(const LevelsOfModes& levels, const std::vector<double>& v
   Figure figure = over_displacement(std::move(layers), "residuals", options);
   show_y(figure, label, "1");
   figure.caption =
-      "Over the scatter that was found: noise is even within ± 2; waves and trends are what the "
+      "Over the scatter found: noise is even within ± 2; waves and trends are what the "
       "joints do not explain.";
   return figure;
 }
 
-/// Of a joint in a panel of its own.
+/// Grid with a panel per joint.
 template <class Add>
-FigureGrid panel_a_joint(const LevelsOfModes& levels, const FigureOptions& options,
-                         const Add& add) {
+FigureGrid panel_per_joint(const LevelsOfModes& levels, const FigureOptions& options,
+                           const Add& add) {
   FigureGrid grid{"", 2, {}};
   for (const JointOverLevels& joint : levels.joints) {
     std::vector<Layer> layers;
@@ -157,7 +157,7 @@ FigureGrid panel_a_joint(const LevelsOfModes& levels, const FigureOptions& optio
 
 }  // namespace
 
-bool has_told(const ExperimentResults& results) {
+bool has_variance_reduction(const ExperimentResults& results) {
   return std::ranges::any_of(results.densities,
                              [](const DensityFound& joint) { return !joint.told.empty(); });
 }
@@ -208,22 +208,21 @@ Figure densities_figure(const ExperimentResults& results, const FigureOptions& /
   }
   Figure figure = density_panel(joints, std::move(layers));
   figure.title = joints.size() > 1 ? "Slip-force densities" : "Slip-force density";
-  figure.caption =
-      "Lines with their bands, which hold at each slip force by itself." + told_caption(joints);
+  figure.caption = "Lines with their pointwise bands." + prior_caption(joints);
   return figure;
 }
 
-Figure density_and_told_figure(const ExperimentResults& results, std::size_t joint) {
+Figure density_with_prior_figure(const ExperimentResults& results, std::size_t joint) {
   const DensityFound& shown = results.densities.at(joint);
   Figure figure = density_panel({shown}, density_layers(shown, joint, shown.name));
   figure.title = fmt::format("Density of {}", shown.name);
-  figure.caption = "With its band." + told_caption({shown});
+  figure.caption = "With its band." + prior_caption({shown});
   return figure;
 }
 
-Figure told_figure(const ExperimentResults& results) {
-  constexpr double kDecades = 1e-3;  // of the largest slip force: below all is as there
-  Figure figure{.title = "What the levels tell"};
+Figure variance_reduction_figure(const ExperimentResults& results) {
+  constexpr double kDecades = 1e-3;  // of the largest slip force: the curve is flat below
+  Figure figure{.title = "Variance reduction"};
   double from = std::numeric_limits<double>::infinity();
   double to = 0.0;
   for (std::size_t j = 0; j < results.densities.size(); ++j) {
@@ -235,19 +234,21 @@ Figure told_figure(const ExperimentResults& results) {
       to = std::max(to, force);
     }
   }
-  if (figure.layers.empty()) throw_missing("shares told", "the figure needs identifiability.csv");
+  if (figure.layers.empty())
+    throw_missing("variance reduction", "the figure needs identifiability.csv");
   from = std::max(from, kDecades * to);
-  figure.layers.emplace_back(LineLayer{{from, to}, {kTold, kTold}, "half", kThinDashes});
+  figure.layers.emplace_back(
+      LineLayer{{from, to}, {kDetermined, kDetermined}, "half", kThinDashes});
   check_figure(figure);
   figure.x.range = AxisRange{from, 1.1 * to};
   figure.y.range = AxisRange{0.0, 1.05};
   show_x(figure, kSlipForce, "N");
-  show_y(figure, "share told", "1");
+  show_y(figure, "variance reduction", "1");
   figure.x.log = true;
   figure.x.log_switch = true;
   figure.caption =
-      "The share of the variance that the density had before the levels and that they took away: 1 "
-      "where they tell all of it, 0 where nothing.";
+      "Share of the prior variance of the density that the levels removed: 1 where they determine "
+      "it, 0 where they do not.";
   return figure;
 }
 
@@ -255,9 +256,9 @@ FigureGrid identifiability_figure(const ExperimentResults& results,
                                   const FigureOptions& /*options*/) {
   FigureGrid grid{"", results.densities.size() == 2 ? std::size_t{3} : std::size_t{2}, {}};
   for (std::size_t j = 0; j < results.densities.size(); ++j) {
-    grid.panels.push_back(density_and_told_figure(results, j));
+    grid.panels.push_back(density_with_prior_figure(results, j));
   }
-  grid.panels.push_back(told_figure(results));
+  grid.panels.push_back(variance_reduction_figure(results));
   return grid;
 }
 
@@ -267,7 +268,7 @@ Figure modal_loss_figure(const ExperimentResults& results, const FigureOptions& 
   add_lines(layers, levels, levels.dissipation);
   add_marks(layers, levels, levels.measured_dissipation, levels.measured_dissipation_std);
   Figure figure = over_displacement(std::move(layers), "losses", options);
-  figure.title = "Loss of a cycle";
+  figure.title = "Loss per cycle";
   figure.caption = levels.dissipation.empty() ? "Of all joints together." : kMarksAndLines;
   show_y(figure, "dissipation of all joints", "J");
   figure.y.log = figure.x.log;
@@ -302,7 +303,7 @@ Figure modal_damping_figure(const ExperimentResults& results, const FigureOption
   figure.caption = "Of the structure with its joints.";
   if (!levels.damping_ratio.empty()) {
     figure.caption += levels.measured_damping_ratio.empty()
-                          ? " As found: what was measured is the loss of the joints."
+                          ? " As computed: the loss of the joints was measured, not the ratio."
                           : std::string(" ") + kMarksAndLines;
   }
   show_y(figure, "damping ratio ζ", "%");
@@ -360,8 +361,8 @@ Figure frequency_residual_figure(const ExperimentResults& results, const FigureO
 
 FigureGrid joint_amplitudes_figure(const ExperimentResults& results, const FigureOptions& options) {
   const LevelsOfModes& levels = modes_of(results);
-  FigureGrid grid =
-      panel_a_joint(levels, options, [&](const JointOverLevels& joint, std::vector<Layer>& layers) {
+  FigureGrid grid = panel_per_joint(
+      levels, options, [&](const JointOverLevels& joint, std::vector<Layer>& layers) {
         add_lines(layers, levels, over(joint.amplitude, levels.displacement));
         add_marks(layers, levels, over(joint.measured_amplitude, levels.displacement));
       });
@@ -377,8 +378,8 @@ FigureGrid joint_amplitudes_figure(const ExperimentResults& results, const Figur
 
 FigureGrid loss_shares_figure(const ExperimentResults& results, const FigureOptions& options) {
   const LevelsOfModes& levels = modes_of(results);
-  FigureGrid grid =
-      panel_a_joint(levels, options, [&](const JointOverLevels& joint, std::vector<Layer>& layers) {
+  FigureGrid grid = panel_per_joint(
+      levels, options, [&](const JointOverLevels& joint, std::vector<Layer>& layers) {
         if (joint.dissipation.empty() || levels.dissipation.empty()) return;
         add_bands(layers, levels, over(joint.dissipation_lower, levels.dissipation),
                   over(joint.dissipation_upper, levels.dissipation));
@@ -386,7 +387,7 @@ FigureGrid loss_shares_figure(const ExperimentResults& results, const FigureOpti
       });
   for (Figure& figure : grid.panels) {
     figure.title = fmt::format("Share of {} in the loss", figure.subtitle);
-    figure.caption = "Of the loss of all joints together, with the band of its own.";
+    figure.caption = "Of the loss of all joints together, with its own band.";
     show_y(figure, "share of the loss", "%");
   }
   return grid;

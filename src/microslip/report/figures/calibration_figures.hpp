@@ -9,32 +9,32 @@
 #include "microslip/workflow/results/experiment_results.hpp"
 
 /// @file
-/// What was found of several joints from levels of modes, and levels of modes alone. Marks are what
-/// was measured, lines what was found; modes and joints differ by colour and by mark or line. Each
+/// Several joints identified from levels of modes, and levels of modes alone. Marks are measured,
+/// lines computed from the joints; modes and joints differ by colour and by mark or line. Each
 /// figure is the same on paper and on the page of a report.
 
 namespace microslip {
 
-/// The densities of all joints with their bands, grey where the levels tell next to nothing.
+/// The densities of all joints with their bands, grey where the prior determines them.
 /// @throws InputError  without densities.
 [[nodiscard]] Figure densities_figure(const ExperimentResults& results,
                                       const FigureOptions& options = {});
 
-/// The density of one of them.
+/// The density of one joint, grey where the prior determines it.
 /// @param joint  of `results.densities`.
-[[nodiscard]] Figure density_and_told_figure(const ExperimentResults& results, std::size_t joint);
+[[nodiscard]] Figure density_with_prior_figure(const ExperimentResults& results, std::size_t joint);
 
-/// The share of the prior's variance that the levels took, over slip force, a line a joint.
-/// @throws InputError  where no joint tells it.
-[[nodiscard]] Figure told_figure(const ExperimentResults& results);
+/// Variance reduction, the share of the prior variance that the levels removed, over slip force, a
+/// line per joint. @throws InputError  where no joint has it.
+[[nodiscard]] Figure variance_reduction_figure(const ExperimentResults& results);
 
-/// For paper: both, a panel a joint.
+/// For paper: density_with_prior_figure() per joint, and variance_reduction_figure().
 [[nodiscard]] FigureGrid identifiability_figure(const ExperimentResults& results,
                                                 const FigureOptions& options);
 
-// Over the displacement at the response point, one mark or line a mode.
+// Over the displacement at the response point, one mark or line per mode.
 
-/// Loss of a cycle. @throws InputError  without a loss.
+/// Loss per cycle. @throws InputError  without a loss.
 [[nodiscard]] Figure modal_loss_figure(const ExperimentResults& results,
                                        const FigureOptions& options = {});
 
@@ -59,12 +59,12 @@ namespace microslip {
 [[nodiscard]] Figure frequency_residual_figure(const ExperimentResults& results,
                                                const FigureOptions& options = {});
 
-/// Displacement of each joint over that at the response point, a panel a joint.
+/// Displacement of each joint over that at the response point, a panel per joint.
 /// @throws InputError  without a joint.
 [[nodiscard]] FigureGrid joint_amplitudes_figure(const ExperimentResults& results,
                                                  const FigureOptions& options = {});
 
-/// What each joint has of the loss of all, a panel a joint. @throws InputError  without a joint.
+/// Share of each joint in the loss of all, a panel per joint. @throws InputError  without a joint.
 [[nodiscard]] FigureGrid loss_shares_figure(const ExperimentResults& results,
                                             const FigureOptions& options = {});
 
@@ -72,15 +72,15 @@ namespace microslip {
 [[nodiscard]] FigureGrid modal_losses_figure(const ExperimentResults& results,
                                              const FigureOptions& options);
 
-/// For paper: both residuals, or the one that there is.
+/// For paper: both residuals, or the existing one.
 [[nodiscard]] FigureGrid modal_residuals_figure(const ExperimentResults& results,
                                                 const FigureOptions& options);
 
 /// Draws of a joint as thin lines, with their mean and band.
 [[nodiscard]] Figure draws_figure(const JointSamples& samples, const FigureOptions& options = {});
 
-// Whether the results have what these need.
-[[nodiscard]] bool has_told(const ExperimentResults& results);
+// Whether the results have the data of these figures.
+[[nodiscard]] bool has_variance_reduction(const ExperimentResults& results);
 [[nodiscard]] bool has_modal_losses(const ExperimentResults& results);
 [[nodiscard]] bool has_modal_damping(const ExperimentResults& results);
 [[nodiscard]] bool has_modal_frequencies(const ExperimentResults& results);

@@ -16,24 +16,24 @@ namespace {
 constexpr std::array kStylesOfModes = {LineStyle::kSolid, LineStyle::kDashed,
                                        LineStyle::kDashDotted, LineStyle::kLongDashed,
                                        LineStyle::kDotted};
-/// Grey is what the levels do not tell.
+/// Grey is kept for what the levels do not determine.
 constexpr int kColoursOfModes = kGrey;
 
 std::string name_of_mode(std::size_t mode) { return fmt::format("mode {}", mode); }
 
-/// Whether a knot of the density is told. A density without `told` is.
-bool is_told(const DensityFound& joint, std::size_t i) {
-  return joint.told.empty() || joint.told[i] >= kTold;
+/// Whether the levels determine the density at a knot; true without `told`.
+bool is_determined(const DensityFound& joint, std::size_t i) {
+  return joint.told.empty() || joint.told[i] >= kDetermined;
 }
 
-/// Stretches of knots that are told or are not, each with the knot at which the next begins.
+/// Stretches of knots that are determined or are not, each with the first one of the next.
 template <class Add>
 void for_stretches(const DensityFound& joint, const Add& add) {
   const std::size_t count = joint.slip_force.size();
   std::size_t begin = 0;
   for (std::size_t i = 1; i <= count; ++i) {
-    if (i < count && is_told(joint, i) == is_told(joint, begin)) continue;
-    add(begin, std::min(i + 1, count), is_told(joint, begin));
+    if (i < count && is_determined(joint, i) == is_determined(joint, begin)) continue;
+    add(begin, std::min(i + 1, count), is_determined(joint, begin));
     begin = i;
   }
 }
@@ -56,16 +56,16 @@ std::vector<Layer> density_layers(const DensityFound& joint, std::size_t index,
   std::vector<Layer> layers;
   const Stroke stroke = stroke_of(index);
   if (!joint.lower.empty()) {
-    for_stretches(joint, [&](std::size_t begin, std::size_t end, bool told) {
+    for_stretches(joint, [&](std::size_t begin, std::size_t end, bool determined) {
       if (end - begin < 2) return;
-      layers.emplace_back(
-          BandLayer{.x = part(joint.slip_force, begin, end),
-                    .lower = part(joint.lower, begin, end),
-                    .upper = part(joint.upper, begin, end),
-                    .legend = told ? fmt::format("{} % band", std::round(100.0 * joint.confidence))
-                                   : "band, hardly told",
-                    .colour = told ? stroke.colour : kGrey,
-                    .name = fmt::format("{}: {}", legend, told ? "band" : "band, hardly told")});
+      layers.emplace_back(BandLayer{
+          .x = part(joint.slip_force, begin, end),
+          .lower = part(joint.lower, begin, end),
+          .upper = part(joint.upper, begin, end),
+          .legend = determined ? fmt::format("{} % band", std::round(100.0 * joint.confidence))
+                               : "band by the prior",
+          .colour = determined ? stroke.colour : kGrey,
+          .name = fmt::format("{}: {}", legend, determined ? "band" : "band by the prior")});
     });
   }
   layers.emplace_back(LineLayer{joint.slip_force, joint.density, legend, stroke});

@@ -13,13 +13,13 @@
 
 namespace microslip {
 
-/// The levels tell of a density where they took this share of what was not known before, 1.
-inline constexpr double kTold = 0.5;
+/// The levels determine a density where the variance reduction is this or more, 1.
+inline constexpr double kDetermined = 0.5;
 
 /// The stroke of the line of a mode or joint, from 0: another colour and another style each.
 [[nodiscard]] Stroke stroke_of(std::size_t index);
 
-/// A density with its band, which is grey where `told` is below kTold.
+/// A density with its band, which is grey where `told` is below kDetermined.
 /// @param index  of the joint. @param legend  of the line.
 [[nodiscard]] std::vector<Layer> density_layers(const DensityFound& joint, std::size_t index,
                                                 const std::string& legend);
@@ -34,7 +34,7 @@ struct RowsOfMode {
 [[nodiscard]] std::vector<RowsOfMode> rows_by_mode(const LevelsOfModes& levels);
 
 /// Marks of each mode over the displacement, as far as they are finite.
-/// @param values  one a level. @param std  none, or one a level.
+/// @param values  one per level. @param std  none, or one per level.
 void add_marks(std::vector<Layer>& layers, const LevelsOfModes& levels,
                const std::vector<double>& values, const std::vector<double>& std = {});
 

@@ -16,13 +16,13 @@ namespace microslip {
 inline constexpr const char* kLoopDisplacement = "joint displacement";
 inline constexpr const char* kLoopForce = "joint force";
 
-/// In SI units, before show_x() and show_y(). [AR14 Fig. 10]
+/// Loops of several joints in SI units, before show_x() and show_y(). [AR14 Fig. 10]
 struct ComparedLoops {
   std::vector<Layer> loops;        ///< of all joints
   std::vector<Layer> differences;  ///< of the others to the first, N
 };
 
-/// @param joints     one at least. @param amplitude  A, m.
+/// Steady loops of the joints. @param joints  one at least. @param amplitude  A, m.
 [[nodiscard]] ComparedLoops compared_loops(std::span<const ShownJoint> joints, double amplitude);
 
 /// The joint of the results, splines with other smoothing, and the truth where it is known.

@@ -23,7 +23,7 @@ namespace {
 constexpr int kOutsideColour = kVermillion;
 constexpr int kInsideColour = kBlack;
 
-/// As axes say it.
+/// The name in words of an axis.
 std::string axis_words(std::string name) {
   std::ranges::replace(name, '_', ' ');
   return name;
@@ -39,7 +39,7 @@ std::vector<std::size_t> drawn_order(const ComparedCurve& curve) {
   return order;
 }
 
-/// Those values inside of the band, or outside; all of them inside where there is none.
+/// The measured values inside of the band, or outside; without a band all are inside.
 PointLayer measured_points(const ComparedCurve& curve, const std::vector<std::size_t>& order,
                            bool inside) {
   const char* const legend = !curve.has_band() ? "measured"
@@ -59,7 +59,7 @@ PointLayer measured_points(const ComparedCurve& curve, const std::vector<std::si
   return points;
 }
 
-/// The same quantity at the peak, measured and predicted.
+/// Adds the quantity of the curve at the peak, measured and predicted.
 void add_peak(const ComparedTest& test, const ComparedCurve& curve, Figure& panel) {
   const auto at_peak = [&](const std::string& quantity) {
     return std::ranges::find_if(test.curves, [&](const ComparedCurve& other) {
@@ -105,14 +105,14 @@ bool suits_log(const std::vector<double>& rising) {
   return rising.front() > 0.0 && rising.back() > kFar * rising.front();
 }
 
-/// Without the folder of the file, which may be long: "sweeps.mat:FRdata(1)".
+/// Title without the folder of the file, which may be long: "sweeps.mat:FRdata(1)".
 std::string title_of(const ComparedTest& test) {
   const std::size_t file = std::min(test.source.find(':'), test.source.size());
   return std::string(file_name(std::string_view(test.source).substr(0, file))) +
          test.source.substr(file);
 }
 
-/// In SI.
+/// Layers of a curve, in SI.
 Figure curve_layers(const ComparedTest& test, const ComparedCurve& curve,
                     const std::vector<std::size_t>& order) {
   Figure panel{.title = title_of(test)};
@@ -175,7 +175,7 @@ void add_to_group(const ComparedTest& test, const ComparedCurve& curve,
   choices.push_back({choice_name(panel.title, choices), std::move(panel.layers)});
 }
 
-/// Of one test there is nothing to choose.
+/// The figure of a group, without choices where it has one test.
 ReportFigure finished(CurveGroup group) {
   ReportFigure figure = std::move(group.figure);
   const std::string name = axis_words(group.first->quantity);
@@ -189,7 +189,7 @@ ReportFigure finished(CurveGroup group) {
   return figure;
 }
 
-/// Every so manieth sample, so that there are not too many.
+/// Loop of a record, of which at most kMostSamples samples are drawn.
 Figure loop_panel(const ComparedTest& test) {
   constexpr std::size_t kMostSamples = 4000;
   LineLayer measured{.legend = "measured", .stroke = {.colour = kBlack, .width = 1.2}};

@@ -17,7 +17,7 @@ namespace microslip {
 /// @param tests  compared. @throws InputError  where no value was predicted.
 [[nodiscard]] FigureGrid comparison_figure(std::span<const ComparedTest> tests);
 
-/// The same for a page: a figure for each quantity over each axis, in which the reader chooses the
+/// Figures for a page: one for each quantity over each axis, in which the reader chooses the
 /// test where several have it.
 /// @param tests  compared, any number; those without a predicted value are left out.
 [[nodiscard]] std::vector<ReportFigure> comparison_figures(std::span<const ComparedTest> tests);

@@ -20,13 +20,13 @@ namespace microslip {
 namespace {
 
 constexpr const char* kOfLevels =
-    "Below kA of the lowest level the levels tell two moments of φ only, above that of the highest "
-    "nothing. [AR14 Fig. 9]";
+    "Below kA of the lowest level the levels determine two moments of φ only, above that of the "
+    "highest nothing. [AR14 Fig. 9]";
 constexpr const char* kOfRecords =
-    "Below the first line the noise of the displacement hides what slips, and φ goes on smoothly "
-    "from there; beyond the second, k times the largest half range, nothing slipped.";
+    "Below the first line slip is below the noise of the displacement, and φ is continued "
+    "smoothly; beyond the second, k times the largest half range, nothing slipped.";
 
-/// What belongs to the slip forces that the levels cover.
+/// The values at the slip forces that the levels cover.
 std::vector<double> covered(const DensityCurve& curve, const std::vector<double>& slip_force,
                             const std::vector<double>& values) {
   std::vector<double> kept;
@@ -36,7 +36,7 @@ std::vector<double> covered(const DensityCurve& curve, const std::vector<double>
   return kept;
 }
 
-/// The name of a joint whose φ is drawn; tells of atoms, which no φ shows.
+/// The name of a joint whose φ is drawn, with its atoms, which φ does not show.
 std::string density_name(const std::string& name, const Joint& joint) {
   double share = 0.0;
   for (const double weight : joint.density().atoms().weight) share += weight;
@@ -69,13 +69,12 @@ void add_band(Figure& figure, const DensityCurve& curve) {
   figure.layers.emplace_back(BandLayer{
       covered(curve, f, f), covered(curve, f, curve.lower), covered(curve, f, curve.upper),
       fmt::format("{:.0f} % band", 100.0 * curve.confidence), kBlue});
-  figure.caption +=
-      " The band holds at each slip force by itself: its lower edge as a whole is no joint, nor is "
-      "its upper edge.";
+  figure.caption += " The band is pointwise: neither of its edges is the density of a joint.";
 }
 
 void add_range(Figure& figure, const DensityCurve& curve) {
-  add_marker(figure, curve.covered_from, curve.of_records ? "told from" : "kA of lowest level");
+  add_marker(figure, curve.covered_from,
+             curve.of_records ? "determined from" : "kA of lowest level");
   add_marker(figure, curve.covered_to,
              curve.of_records ? "k × largest half range" : "kA of highest level");
   for (std::size_t i = 0; i < curve.atom_slip_force.size() && i < kMostAtomsShown; ++i) {
@@ -131,8 +130,8 @@ Figure slipped_shares(const std::vector<ShownJoint>& joints) {
   }
   Figure figure{.title = "Slip forces",
                 .caption =
-                    "What part of the stiffness slips up to a slip force. The joint is of "
-                    "single slip forces, which have no density."};
+                    "Share of the stiffness that slips up to a slip force. The joint has single "
+                    "slip forces, and thus no density."};
   for (const ShownJoint& drawn : joints) {
     Curve curve = slipped_share(drawn.joint, end);
     figure.layers.emplace_back(

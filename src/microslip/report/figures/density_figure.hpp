@@ -15,7 +15,7 @@ namespace microslip {
 [[nodiscard]] Figure density_figure(const ExperimentResults& results,
                                     const FigureOptions& options = {});
 
-/// The same of a density at points.
+/// Figure of a density that is given at points, as above.
 [[nodiscard]] Figure density_figure(const DensityCurve& curve, const FigureOptions& options = {});
 
 }  // namespace microslip

@@ -20,7 +20,7 @@ constexpr Stroke kFoundForce = {.colour = kBlue, .width = 1.1};
 constexpr Stroke kResidual = {.colour = kBlue, .width = 1.0};
 constexpr Stroke kScatter = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2};
 
-/// A line for each stretch without a gap: on paper a line has none.
+/// Adds a line for each part without a gap: on paper a line has none.
 void add_line(std::vector<Layer>& layers, const std::vector<double>& x,
               const std::vector<double>& y, const std::string& legend, const Stroke& stroke) {
   LineLayer line{.legend = legend, .stroke = stroke};
@@ -40,7 +40,7 @@ void add_line(std::vector<Layer>& layers, const std::vector<double>& x,
   end_line();
 }
 
-/// ±2s over a range of the axis.
+/// Adds lines at ±2s over a range of the axis.
 void add_scatter(std::vector<Layer>& layers, std::optional<double> scatter, double from,
                  double to) {
   if (!scatter) return;
@@ -82,7 +82,7 @@ class BinnedMeans {
   std::array<std::size_t, static_cast<std::size_t>(kBins)> count_ = {};
 };
 
-/// Every so many-th sample, so that marks do not cover each other.
+/// Thins out the samples, so that marks do not cover each other.
 PointLayer some_samples(const ForcePath& path, const std::vector<double>& residual) {
   constexpr std::size_t kMost = 1200;
   PointLayer points{.legend = "samples", .colour = kGrey, .size = 0.3};

@@ -27,12 +27,12 @@ inline constexpr const char* kResidualLabel = "residual force";
 [[nodiscard]] std::vector<Layer> residual_layers(const ForcePath& path,
                                                  std::optional<double> scatter, std::size_t most);
 
-/// The same over the displacement: some samples, and the means of the samples at which it rises
+/// The residual over the displacement: some samples, and the means of the samples at which it rises
 /// and at which it falls.
 [[nodiscard]] std::vector<Layer> residual_over_displacement(const ForcePath& path,
                                                             std::optional<double> scatter);
 
-/// s of the record, N; nothing where joint.json does not tell it.
+/// Scatter s of a sample of the record, N; nothing where joint.json does not give it.
 [[nodiscard]] std::optional<double> scatter_of(const ExperimentResults& results,
                                                const ForcePath& path);
 

@@ -26,15 +26,14 @@ struct PlottedQuantity {
 
 constexpr PlottedQuantity kDissipation{
     "Dissipation of the joint",
-    "What a cycle dissipates over the amplitude of the displacement.",
+    "Energy dissipated per cycle over the amplitude of the displacement.",
     "dissipation per cycle D",
     "J",
     dissipation,
     true};
 constexpr PlottedQuantity kSecant{"Secant stiffness",
                                   "Of the first harmonic. The absolute level of a measured one "
-                                  "stands and falls with k; its change over the amplitude does "
-                                  "not.",
+                                  "depends on k; its change over the amplitude does not.",
                                   "secant stiffness k_eq", "N/m", secant_stiffness};
 constexpr PlottedQuantity kLossFactor{"Loss factor of the joint",
                                       "D/(π k_eq A²): it rises with micro-slip, and falls again "
@@ -90,9 +89,9 @@ Figure energies_figure(const ExperimentResults& results, const FigureOptions& op
   Figure figure{
       .title = "Energies per cycle",
       .caption = test.input_energy.empty()
-                     ? "What the levels give, and the same by the joint. [AR14 Fig. 8]"
-                     : "Input energy, what the linear damping of the structure takes of it, and "
-                       "what is left for the joint. [AR14 Fig. 8]",
+                     ? "Measured by the levels, and computed from the joint. [AR14 Fig. 8]"
+                     : "Input energy, the loss of it in the linear damping of the structure, and "
+                       "the remainder in the joint. [AR14 Fig. 8]",
       .layers = options.beside};
   add_curves(figure, results, options, dissipation);
   add_with_damping(figure, results);
@@ -166,7 +165,7 @@ Figure resonance_figure(const ExperimentResults& results, const FigureOptions& o
       .caption = measured
                      ? "From the measured phase of the response, not from the setting of the drive."
                      : "The frequency of the drive: that of the resonance as far as the test kept "
-                       "the phase there.",
+                       "the phase at resonance.",
       .layers = options.beside};
   const auto add = [&](const std::vector<double>& frequency, std::string legend, int colour) {
     PointLayer points = at_levels(levels, {frequency, {}}, std::move(legend), colour);

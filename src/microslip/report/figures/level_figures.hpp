@@ -5,18 +5,18 @@
 #include "microslip/workflow/results/experiment_results.hpp"
 
 /// @file
-/// What the levels of a test say, and their joint, over the amplitude. Each figure is the same on
+/// The levels of a test and their joint over the amplitude. Each figure is the same on
 /// paper and on the page of a report; units have the prefix that suits the values.
 
 namespace microslip {
 
 /// Input energy, linear loss and dissipation of the joint over its amplitude, with bars of one
-/// standard deviation; what the joints make of it. [AR14 Fig. 8]
+/// standard deviation, and D by the joints. [AR14 Fig. 8]
 /// @throws InputError  without levels.
 [[nodiscard]] Figure energies_figure(const ExperimentResults& results,
                                      const FigureOptions& options = {});
 
-/// W_lin/W_ext, the share of the linear loss in what is put in. [AR14 Fig. 8]
+/// W_lin/W_ext, the share of the linear loss in the input energy. [AR14 Fig. 8]
 /// @throws InputError  without levels that have both energies.
 [[nodiscard]] Figure linear_share_figure(const ExperimentResults& results,
                                          const FigureOptions& options = {});
@@ -35,12 +35,12 @@ namespace microslip {
 [[nodiscard]] Figure damping_figure(const ExperimentResults& results,
                                     const FigureOptions& options = {});
 
-/// D, k_eq and loss factor of the joints over the amplitude, with the levels where there are some.
+/// D, k_eq and loss factor of the joints over the amplitude, with the levels if present.
 /// @throws InputError  without a joint.
 [[nodiscard]] FigureGrid joint_figures(const ExperimentResults& results,
                                        const FigureOptions& options = {});
 
-/// What the frequency of the levels is drawn over.
+/// The axis that the frequency of the levels is drawn over.
 enum class FrequencyOver {
   kResponse,   ///< at the exciter; the amplitude of the joint where that is not known
   kAmplitude,  ///< of the joint, with what the joint predicts where the rig is known

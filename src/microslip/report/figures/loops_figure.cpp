@@ -15,7 +15,7 @@
 namespace microslip {
 namespace {
 
-/// Of the loops that are drawn, m.
+/// Largest amplitude of the loops that are drawn, m.
 double largest_amplitude(const ExperimentResults& results) {
   if (results.levels) return std::ranges::max(results.levels->levels.amplitude);
   const IdentifiedJoint& found = joint_of(results);

@@ -22,7 +22,7 @@
 namespace microslip {
 namespace {
 
-/// Without the titles, which are for the caption of a paper.
+/// The figures without titles, which belong in the caption of a paper.
 FigureGrid untitled(FigureGrid grid) {
   for (Figure& panel : grid.panels) panel.title.clear();
   return grid;
@@ -147,8 +147,7 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
      of_test<constant_response_figure>},
     {"verification", "recorded and predicted signals, or the error of each channel",
      "verification.csv or histories", has_verification, has_deviations, never, verification},
-    {"comparison",
-     "tests of a structure beside what its model predicts, with the band of the draws",
+    {"comparison", "measured and predicted tests of a structure, with the band of the draws",
      "CSV of verify, of tests of a model",
      [](const ResultInput& input) { return !input.compared.empty(); }, never, never,
      [](const ResultInput& input, const FigureOptions& /*options*/) {
@@ -192,9 +191,9 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
      has_record, never, never, panels_of_test<residuals_figure>, true},
     {"densities", "densities of several joints with their bands", kNeedsDensities, has_densities,
      never, never, of_test<densities_figure>},
-    {"identifiability", "what levels of modes tell of the density of each joint",
-     "identifiability.csv or joint.json of calibrate", test_has<has_told>, never, never,
-     panels_of_test<identifiability_figure>},
+    {"identifiability", "variance reduction of the density of each joint by modal levels",
+     "identifiability.csv or joint.json of calibrate", test_has<has_variance_reduction>, never,
+     never, panels_of_test<identifiability_figure>},
     {"modal-losses", "loss of all joints over the displacement, by mode",
      "calibration.csv or modal_levels.csv with dissipation [J]", test_has<has_modal_losses>, always,
      never, panels_of_test<modal_losses_figure>},
@@ -210,7 +209,7 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
     {"joint-amplitudes", "displacement of each joint over that of the structure, by mode",
      "calibration.csv or modal_levels.csv with amplitude_NAME [m]", test_has<has_joint_amplitudes>,
      always, never, panels_of_test<joint_amplitudes_figure>},
-    {"loss-shares", "what each joint has of the loss, by mode", "calibration.csv",
+    {"loss-shares", "share of each joint in the loss, by mode", "calibration.csv",
      test_has<has_loss_shares>, always, never, panels_of_test<loss_shares_figure>},
     {"draws", "draws of a density with their mean and band", "joint_samples.h5",
      [](const ResultInput& input) { return input.samples.has_value(); }, never, never,
@@ -239,14 +238,14 @@ const NamedFigure& only_figure(const ResultInput& input) {
   const std::vector<const NamedFigure*> figures = possible(input);
   if (figures.size() == 1) return *figures.front();
   if (figures.empty()) {
-    throw InputError("input", in_quotes(input.name), "holds nothing of which there is a figure",
+    throw InputError("input", in_quotes(input.name), "has no data for any figure",
                      choice_text(input));
   }
   throw InputError("`figure`", InputState{"not given"}, "must name one of several figures",
                    choice_text(input));
 }
 
-/// Says of which file, and where it can of which axis, a value is that cannot be drawn: for
+/// Names the file and, where possible, the axis of a value that cannot be drawn, in place of
 /// "panels[0].layers[1].x[3]", for instance.
 InputError named(const InputError& error, const ResultInput& input, const FigureGrid* grid) {
   const std::string& name = error.name();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kOfDraws = "band of draws";
 
-/// "slip_force" as an axis says it.
+/// "slip_force" in words of an axis.
 std::string words_of(std::string name) {
   std::ranges::replace(name, '_', ' ');
   return name;
@@ -58,14 +58,14 @@ std::vector<double> receptance_of(const std::vector<double>& displacement,
   return receptance;
 }
 
-/// The most force is the least receptance.
+/// The band of the receptance: its lower edge is at the upper edge of the force.
 CurveBand receptance_of(const PredictedResponse& response) {
   if (response.band.lower.empty()) return {};
   return {receptance_of(response.displacement, response.band.upper),
           receptance_of(response.displacement, response.band.lower)};
 }
 
-/// Without the steps of a whole turn from −π to π.
+/// The phase without jumps of a whole turn from −π to π.
 std::vector<double> continuous(std::vector<double> phase) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   for (std::size_t i = 1; i < phase.size(); ++i) {
@@ -91,7 +91,7 @@ bool reaches_far(const std::vector<double>& amplitude) {
   return lowest > 0.0 && highest > kFar * lowest;
 }
 
-/// The lowest and the highest of each part, in their order, with the widest band of the part.
+/// The signal by the lowest and the highest of each part, in their order, with the widest band.
 HistorySignal thinned(const HistorySignal& signal) {
   constexpr std::size_t kParts = 2000;
   if (signal.values.size() <= 2 * kParts) return signal;
@@ -118,7 +118,7 @@ HistorySignal thinned(const HistorySignal& signal) {
   return thin;
 }
 
-/// What shares an axis: a quantity in a unit.
+/// A quantity in a unit, which shares an axis.
 using AxisOfSignals = std::pair<std::string, std::string>;
 
 AxisOfSignals axis_of(const HistorySignal& signal) {
@@ -182,7 +182,7 @@ Figure spectrum_figure(const ShockSpectrum& spectrum) {
       figure.layers.emplace_back(LineLayer{spectrum.frequency, values, legend, stroke});
     }
   };
-  add(spectrum.maximax, "either way", {.colour = kBlue, .width = 2.4});
+  add(spectrum.maximax, "maximax", {.colour = kBlue, .width = 2.4});
   add(spectrum.positive, "positive", {.colour = kVermillion, .style = LineStyle::kDashed});
   add(spectrum.negative, "negative", {.colour = kGreen, .style = LineStyle::kDotted});
   if (figure.layers.empty()) {

@@ -10,7 +10,7 @@
 #include "microslip/workflow/results/result_input.hpp"
 
 /// @file
-/// What a model predicts, as figures. All values are SI. Where draws were taken, the band of a
+/// Predictions of a model as figures. All values are SI. Where draws were taken, the band of a
 /// curve lies behind it.
 
 namespace microslip {
@@ -19,7 +19,7 @@ namespace microslip {
 /// one below the other. @throws InputError  without points, or where lengths differ.
 [[nodiscard]] FigureGrid response_figure(const PredictedResponse& response);
 
-/// Largest acceleration either way, and each way by itself, over the natural frequency.
+/// Maximax, positive and negative shock response spectrum over the natural frequency.
 /// @throws InputError  without points, or where lengths differ.
 [[nodiscard]] Figure spectrum_figure(const ShockSpectrum& spectrum);
 

@@ -24,7 +24,7 @@ std::string with(const std::string& name, std::string_view which) {
   return which.empty() ? name : fmt::format("{}, {}", name, which);
 }
 
-/// Displacements of a joint are micrometres.
+/// Unit of a signal and its size: displacements of a joint are in micrometres.
 std::pair<std::string, double> unit_of_signal(const std::string& unit) {
   if (unit == "m") return {"µm", kMicrometre};
   return {shown_unit(unit, 1.0).text, 1.0};
@@ -54,7 +54,7 @@ std::string label_of(const std::string& source, const ExperimentResults& results
   return std::string(name);
 }
 
-/// The other ones are in front of all recorded ones.
+/// Layers of a record: the other ones are in front of all recorded ones.
 struct SignalLayers {
   std::vector<Layer> recorded;
   std::vector<Layer> other;
@@ -86,7 +86,7 @@ std::string left_out_text(std::size_t channels) {
                      channels);
 }
 
-/// The signals of one unit, a choice a record.
+/// The signals of one unit, a choice per record.
 ReportFigure history_figure(const ExperimentResults& results,
                             const std::vector<LevelRecord>& records, const std::string& unit,
                             const RecordNames& names) {
@@ -121,7 +121,7 @@ ReportFigure history_figure(const ExperimentResults& results,
   return figure;
 }
 
-/// From the second harmonic on, in % of the first.
+/// Bars from the second harmonic on, in % of the first.
 BarLayer overtones(std::string name, const std::vector<double>& harmonics, int colour) {
   BarLayer bars{.legend = std::move(name), .colour = colour};
   for (std::size_t i = 1; i < harmonics.size(); ++i) {
@@ -141,7 +141,7 @@ ReportFigure harmonics_figure(const ExperimentResults& results,
       .figure =
           {.title = "Harmonics",
            .caption = "Amplitudes of the harmonics from the second, in percent of the "
-                      "first. The line is at 1 %, to which the published test held the force.",
+                      "first. The line is at 1 %, the limit of the published test.",
            .y = {.label = "share of the first", .unit = "%", .log = true, .log_switch = true}},
       .choose = "Record",
       .wide = true};

@@ -12,7 +12,7 @@
 
 namespace microslip {
 
-/// How the two curves of a signal are told apart.
+/// Names and styles of the two curves of a signal.
 struct RecordNames {
   const char* recorded;
   const char* other;
@@ -23,8 +23,8 @@ struct RecordNames {
 inline constexpr RecordNames kControlNames = {"", "before control", kPurple, false};
 inline constexpr RecordNames kPredictedNames = {"recorded", "predicted", kBlack, true};
 
-/// Histories of the channels, a figure a unit with the first eight, and their harmonics; the reader
-/// chooses the record, which has its response beside its name where the levels tell it.
+/// Histories of the channels, a figure per unit with the first eight, and their harmonics; the
+/// reader chooses the record, which has its response beside its name where the levels have it.
 void add_records(ReportSection& section, const ExperimentResults& results,
                  const std::vector<LevelRecord>& records, const RecordNames& names);
 

@@ -10,7 +10,7 @@
 #include "microslip/workflow/results/experiment_results.hpp"
 
 /// @file
-/// What a test on a rig and its predictions say, on paper and on the page of a report.
+/// Figures of a test on a rig and of its predictions, on paper and on the page of a report.
 
 namespace microslip {
 
@@ -20,8 +20,8 @@ namespace microslip {
 [[nodiscard]] Figure constant_response_figure(const ExperimentResults& results,
                                               const FigureOptions& options = {});
 
-/// Over the response the largest harmonic of the force from the second, over the first, before and
-/// after the force control. [AR14 Fig. 7]
+/// The largest harmonic of the force from the second, over the first, before and after the force
+/// control, over the response. [AR14 Fig. 7]
 /// @param levels   one with harmonics at least.
 /// @param options  of the axes.
 /// @throws InputError  without such levels, and for a unit that is none of acceleration.
@@ -32,11 +32,11 @@ namespace microslip {
 [[nodiscard]] Figure force_harmonics_figure(const ForceControlLevel& level);
 
 /// The harmonics of the force at the highest level, and force_distortion_figure() beside them.
-/// @throws InputError  as that.
+/// @throws InputError  as force_distortion_figure().
 [[nodiscard]] FigureGrid force_control_figure(std::span<const ForceControlLevel> levels,
                                               const FigureOptions& options = {});
 
-/// Before them the force of the highest level over a cycle.
+/// The force of the highest level over a cycle, and the figures above.
 /// @param levels     of a virtual test with a shaker; one at least.
 /// @param harmonics  that were controlled, from 2.
 /// @param options    of the axes.

@@ -9,9 +9,9 @@
 namespace microslip {
 namespace {
 
-/// Lowest and highest of three signals.
+/// Samples per interval: lowest and highest of three signals.
 constexpr std::size_t kPerStretch = 6;
-/// Of half a cycle, at which a loop is still round.
+/// Samples per half cycle, at which a loop is still round.
 constexpr double kPerBranch = 60.0;
 
 /// Adds the samples of the lowest and the highest value of a part; none where all are NaN.

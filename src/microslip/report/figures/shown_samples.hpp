@@ -18,14 +18,14 @@ struct RecordPart {
   std::size_t end;
 };
 
-/// Those of the part, all or at most so many: of each stretch the lowest and the highest of
-/// displacement, force and residual, so that nothing that stands out is lost.
+/// Samples of the part that are drawn, all or at most `most`: of each interval the lowest and the
+/// highest of displacement, force and residual, so that no outlier is lost.
 /// @param most  ≥ 16.
 [[nodiscard]] std::vector<std::size_t> shown_samples(const ForcePath& path, RecordPart part,
                                                      std::size_t most);
 
-/// All of the record where so many samples draw its loops as they are; else a part about its
-/// largest displacement of as many cycles as they draw.
+/// All of the record where `most` samples draw its loops well; else a part about its largest
+/// displacement, with as many cycles as they draw.
 [[nodiscard]] RecordPart part_for_loops(const ForcePath& path, std::size_t most);
 
 /// Measured less found force, N; NaN where that is.

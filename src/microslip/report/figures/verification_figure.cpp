@@ -22,7 +22,7 @@ namespace {
 constexpr int kRecordedColour = kBlue;
 constexpr int kPredictedColour = kVermillion;
 
-/// As many samples as can be told apart.
+/// Largest number of samples that can be distinguished.
 PointLayer recorded_points(const SignalPair& signal) {
   constexpr std::size_t kMost = 90;
   PointLayer points{.legend = "recorded", .colour = kRecordedColour, .size = 0.9};
@@ -42,7 +42,7 @@ LineLayer predicted_line(const SignalPair& signal) {
   return line;
 }
 
-/// The comparisons of a record; nothing where the files do not tell.
+/// The comparisons of a record; nothing where the files do not have them.
 const ChannelMisfit* comparison_of(const ExperimentResults& results, const std::string& source,
                                    const std::string& channel) {
   for (const ChannelMisfit& row : results.comparisons) {
@@ -51,7 +51,7 @@ const ChannelMisfit* comparison_of(const ExperimentResults& results, const std::
   return nullptr;
 }
 
-/// Level and frequency, where they are known, and else the record.
+/// Title with level and frequency, where they are known, and else the record.
 std::string title_of(const std::string& source, const ChannelMisfit* row, const std::string& unit) {
   if (row == nullptr) return std::string(file_name(source));
   return fmt::format("{:.3g} {}, {:.2f} Hz",
@@ -65,7 +65,7 @@ std::string subtitle_of(const ChannelMisfit* row) {
                      percent_text(row->noise_share));
 }
 
-/// The lowest, a middle and the highest level.
+/// The records of the lowest, a middle and the highest level.
 std::vector<const LevelRecord*> shown_records(const ExperimentResults& results) {
   std::vector<std::pair<double, const LevelRecord*>> sorted;
   for (const LevelRecord& record : results.predictions) {
@@ -102,14 +102,14 @@ Figure history_panel(const ExperimentResults& results, const LevelRecord& record
   return panel;
 }
 
-/// Below it a harmonic may be noise.
+/// Line below which a harmonic may be noise.
 LineLayer noise_line(const HarmonicsPair& harmonics) {
-  constexpr double kTelling = 3.0;
+  constexpr double kSignificant = 3.0;
   LineLayer line{.legend = "3 standard errors",
                  .stroke = {.colour = kGrey, .style = LineStyle::kDashed, .width = 1.2}};
   for (std::size_t i = 0; i < harmonics.recorded_std.size(); ++i) {
     line.x.push_back(static_cast<double>(i + 1));
-    line.y.push_back(kTelling * harmonics.recorded_std[i] / harmonics.recorded.front());
+    line.y.push_back(kSignificant * harmonics.recorded_std[i] / harmonics.recorded.front());
   }
   return line;
 }
@@ -131,8 +131,8 @@ std::optional<Figure> harmonics_panel(const LevelRecord& record, const std::stri
     return std::nullopt;
   }
   const double first = found->recorded.front();
-  const auto& told = found->recorded_std.empty() ? found->recorded : found->recorded_std;
-  const double lowest = std::clamp(0.3 * std::ranges::min(told) / first, 1e-9, 0.01);
+  const auto& recorded = found->recorded_std.empty() ? found->recorded : found->recorded_std;
+  const double lowest = std::clamp(0.3 * std::ranges::min(recorded) / first, 1e-9, 0.01);
   Figure panel{.title = "Harmonics of " + channel,
                .subtitle = std::string(file_name(record.source)),
                .x = harmonic_axis(1, found->recorded.size()),

@@ -9,7 +9,7 @@ namespace microslip {
 
 /// A row of panels for each of at most three records, of the lowest, a middle and the highest
 /// level: force and the first acceleration over the histories, recorded and predicted, and, where
-/// they are known, the harmonics of the acceleration over the first one recorded. Titles tell the
+/// they are known, the harmonics of the acceleration over the first one recorded. Titles give the
 /// level, subtitles the NRMSE and that of the noise alone, where they are known, and the record.
 /// [AR14 Fig. 11]
 /// @param results  with predictions: of a folder, or by add_verified().
@@ -18,7 +18,7 @@ namespace microslip {
 [[nodiscard]] FigureGrid verification_figure(const ExperimentResults& results,
                                              const FigureOptions& options = {});
 
-/// That the panels are readable.
+/// Size of the picture at which the panels are readable.
 [[nodiscard]] PictureSize verification_size(const FigureGrid& figure);
 
 }  // namespace microslip

@@ -16,7 +16,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t kMostBytes = 3'900'000;  // what mail takes
+constexpr std::size_t kMostBytes = 3'900'000;  // limit of mail attachments
 
 std::string source_hash(std::string_view hexadecimal) {
   return fmt::format(" 'sha256-{}'", base64(bytes_of_hex(hexadecimal)));

@@ -72,8 +72,8 @@ std::string base64(std::string_view bytes) {
 
 namespace {
 
-/// Without a run of blanks and line breaks longer than one, and without groups that hold nothing:
-/// gnuplot leaves many.
+/// The picture without runs of blanks and line breaks longer than one, and without empty groups, of
+/// which gnuplot leaves many.
 std::string slim_svg(std::string_view svg) {
   constexpr std::string_view kBlanks = " \t\r\n";
   constexpr std::string_view kEnd = "</g>";

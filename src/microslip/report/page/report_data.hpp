@@ -6,7 +6,7 @@
 #include "microslip/report/document/report_document.hpp"
 
 /// @file
-/// The figures of a report as the scripts of its page read them. Internal to report.
+/// The figures of a report in the format that the scripts of its page read. Internal to report.
 
 namespace microslip {
 

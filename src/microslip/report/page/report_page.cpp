@@ -27,7 +27,7 @@ std::string section_id(std::size_t index, const ReportSection& section) {
   return fmt::format("section-{}-{}", index, html_id(section.title));
 }
 
-/// With trailing zeros, so that a column shows what was measured: 55.70.
+/// The number with trailing zeros, so that a column shows the measured digits: 55.70.
 std::string rounded(double number, int digits) {
   if (number == 0.0) return "0";
   std::string text = fmt::format("{:.{}e}", number, digits - 1);
@@ -36,7 +36,7 @@ std::string rounded(double number, int digits) {
   return fmt::format("{:.{}f}", number, std::max(digits - 1 - exponent, 0));
 }
 
-/// Whether it stands among figures.
+/// Whether the block stands among figures.
 bool is_beside(const ReportBlock& block) {
   return std::visit(
       [](const auto& content) {
@@ -46,8 +46,8 @@ bool is_beside(const ReportBlock& block) {
       block);
 }
 
-/// Those over the width of the page: two that follow each other stand side by side, as a figure and
-/// what belongs beside it do, and one that is left has the width for itself.
+/// The figures over the width of the page: two that follow each other stand side by side, as a
+/// figure and the blocks beside it do, and a single one has the width for itself.
 std::set<const ReportFigure*> wide_figures(const ReportSection& section) {
   std::set<const ReportFigure*> wide;
   const ReportFigure* alone = nullptr;
@@ -104,7 +104,7 @@ class Page {
     in_figures_ = is_figure;
   }
 
-  /// What stands beside a figure, one below the other.
+  /// Writes the blocks beside a figure, one below the other.
   void group_beside(bool is_beside) {
     if (is_beside == in_beside_) return;
     html_ += is_beside ? "<div class=\"beside\">\n" : "</div>\n";
@@ -228,7 +228,7 @@ class Page {
     ++figures_;
   }
 
-  /// As an image of its own, so that nothing in it can meet the page. Empty where none is wanted,
+  /// The picture as a separate image, isolated from the page. Empty where none is wanted,
   /// or nothing of the figure can be drawn: all below zero on a logarithmic axis, for instance; or
   /// where there is no room for it.
   [[nodiscard]] std::string picture_of(const ReportFigure& figure, bool wide,

@@ -4,8 +4,8 @@
 #include <string_view>
 
 /// @file
-/// What the page of a report is made of, compiled into the library from report/web and third_party.
-/// Internal to report.
+/// Scripts and styles of the page of a report, compiled into the library from report/web and
+/// third_party. Internal to report.
 
 namespace microslip {
 

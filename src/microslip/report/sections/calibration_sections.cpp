@@ -45,9 +45,8 @@ ReportTable modes_table(const ExperimentResults& results) {
   ReportTable table{
       .title = "Modes",
       .caption =
-          "Residuals are rms, over the scatter that was found of all modes: 1 is as the "
-          "rest. Offset: by what the frequencies as measured lie above those of the model "
-          "with the joints found.",
+          "Residuals are rms, over the scatter found for all modes together: 1 is typical. "
+          "Offset: measured frequencies over those of the model with the joints found, less 1.",
       .columns = {{.name = "mode", .unit = "1", .digits = 0},
                   {.name = "levels", .unit = "1", .digits = 0},
                   {.name = "from", .unit = "µm", .digits = 3},
@@ -66,20 +65,20 @@ ReportTable modes_table(const ExperimentResults& results) {
 }
 
 std::string verdict_of(const PairSummary& pair) {
-  return pair.known_only_together ? "known only together" : "told apart";
+  return pair.known_only_together ? "known only together" : "distinguished";
 }
 
 ReportTable pairs_table(const CalibrationSummary& found) {
   ReportTable table{
       .title = "Joint against joint",
       .caption =
-          "Of the loss of both at a level, over what the levels leave possible, the median "
-          "of the levels. A correlation of −1: what one has more, the other has less.",
+          "Of the losses of both joints at a level, over the posterior; median of the levels. "
+          "A correlation of −1: the more one loses, the less the other.",
       .columns = {{.name = "joint"},
                   {.name = "and"},
                   {.name = "correlation", .unit = "1", .digits = 2},
                   {.name = "sum known to", .unit = "%", .digits = 2},
-                  {.name = "better one to", .unit = "%", .digits = 2},
+                  {.name = "better one known to", .unit = "%", .digits = 2},
                   {.name = "verdict"}}};
   for (const PairSummary& pair : found.pairs) {
     if (pair.known_only_together) table.marked.push_back(table.rows.size());
@@ -90,20 +89,19 @@ ReportTable pairs_table(const CalibrationSummary& found) {
   return table;
 }
 
-/// From where to where the levels tell of a density, in words.
-std::string told_range_text(const DensityFound& joint) {
+/// Range of slip forces in which the levels determine a density.
+std::string determined_range_text(const DensityFound& joint) {
   double from = std::numeric_limits<double>::infinity();
   double to = 0.0;
   for (std::size_t i = 0; i < joint.told.size(); ++i) {
-    if (joint.told[i] < kTold) continue;
+    if (joint.told[i] < kDetermined) continue;
     from = std::min(from, joint.slip_force[i]);
     to = std::max(to, joint.slip_force[i]);
   }
   if (!(to > 0.0)) {
-    return fmt::format("Of {} they tell less than half at every slip force.", joint.name);
+    return fmt::format("{}: below 50 % at every slip force.", joint.name);
   }
-  return fmt::format("Of {} they tell more than half from {:.2g} to {:.3g} N.", joint.name, from,
-                     to);
+  return fmt::format("{}: 50 % or more from {:.2g} to {:.3g} N.", joint.name, from, to);
 }
 
 }  // namespace
@@ -145,15 +143,15 @@ ReportSection joints_at_levels_section(const ExperimentResults& results) {
   return section;
 }
 
-ReportSection told_section(const ExperimentResults& results) {
-  ReportSection section{.title = "What can be told apart", .blocks = {}};
-  if (has_told(results)) {
-    std::string text = "How far the levels tell of each joint.";
-    for (const DensityFound& joint : results.densities) text += " " + told_range_text(joint);
+ReportSection identifiability_section(const ExperimentResults& results) {
+  ReportSection section{.title = "Identifiability", .blocks = {}};
+  if (has_variance_reduction(results)) {
+    std::string text = "Variance reduction of each density by the levels.";
+    for (const DensityFound& joint : results.densities) text += " " + determined_range_text(joint);
     section.blocks.emplace_back(ReportText{std::move(text)});
-    add_figure(section, told_figure(results));
+    add_figure(section, variance_reduction_figure(results));
     for (std::size_t j = 0; j < results.densities.size(); ++j) {
-      add_figure(section, density_and_told_figure(results, j));
+      add_figure(section, density_with_prior_figure(results, j));
     }
   }
   if (results.calibration && !results.calibration->pairs.empty()) {

@@ -13,16 +13,16 @@ namespace microslip {
 /// Whether the results have any part of a calibration.
 [[nodiscard]] bool has_calibration(const ExperimentResults& results);
 
-/// What was found, what to worry about, and the densities of all joints.
+/// Results, warnings, and the densities of all joints.
 [[nodiscard]] ReportSection calibration_summary_section(const ExperimentResults& results);
 
 /// Losses, damping ratios and frequencies, measured and found, their residuals, and the modes.
 [[nodiscard]] ReportSection modes_section(const ExperimentResults& results);
 
-/// What each joint does at the levels.
+/// Displacement and loss of each joint at the levels.
 [[nodiscard]] ReportSection joints_at_levels_section(const ExperimentResults& results);
 
-/// What the levels tell of each joint, and which joints they do not tell apart.
-[[nodiscard]] ReportSection told_section(const ExperimentResults& results);
+/// Variance reduction of each joint by the levels, and the joints that they do not distinguish.
+[[nodiscard]] ReportSection identifiability_section(const ExperimentResults& results);
 
 }  // namespace microslip

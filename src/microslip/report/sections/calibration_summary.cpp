@@ -42,13 +42,13 @@ std::string together_text(const CalibrationSummary& found) {
   for (const PairSummary& pair : found.pairs) {
     if (!pair.known_only_together) continue;
     text += fmt::format(
-        " {} and {} are known only together: believe the sum of their losses, known to {}, and "
-        "neither of the two densities by itself.",
+        " {} and {} are known only together: rely on the sum of their losses, known to {}, not on "
+        "either density by itself.",
         pair.first, pair.second, percent_text(pair.spread_together));
   }
   if (found.known_in_sum.size() > 1) {
     text += fmt::format(
-        " {} are known only together: believe the loss of all joints, and none of "
+        " {} are known only together: rely on the loss of all joints, not on any of "
         "their densities by itself.",
         names_text(found.known_in_sum));
   }
@@ -66,16 +66,15 @@ std::string lead_of_calibration(const ExperimentResults& results) {
           ? fmt::format(" of {}", counted(rows_by_mode(*results.modal_levels).size(), "mode"))
           : "");
   if (found.status != "converged") {
-    text += fmt::format(" The iteration did not end as it should ({}): do not rely on it.",
-                        found.status);
+    text += fmt::format(" The iteration did not converge ({}): do not rely on it.", found.status);
   }
   const std::string together = together_text(found);
   if (!together.empty()) return text + together;
-  return count > 1 ? text + " The levels tell the joints apart." : text;
+  return count > 1 ? text + " The levels distinguish the joints." : text;
 }
 
 std::string scatter_text(double scatter, bool relative) {
-  return relative ? percent_text(scatter) : fmt::format("{:.2f} σ as given", scatter);
+  return relative ? percent_text(scatter) : fmt::format("{:.2f} × given σ", scatter);
 }
 
 ReportFacts key_facts_of_calibration(const ExperimentResults& results) {
@@ -89,8 +88,8 @@ ReportFacts key_facts_of_calibration(const ExperimentResults& results) {
   add("scatter of the losses", scatter_text(found.scatter, found.scatter_is_relative));
   if (!found.pairs.empty()) {
     const auto together = std::ranges::count_if(found.pairs, &PairSummary::known_only_together);
-    const bool apart = together == 0 && found.known_in_sum.size() < 2;
-    add("joints told apart", apart ? "all" : "not all");
+    const bool distinguished = together == 0 && found.known_in_sum.size() < 2;
+    add("joints distinguished", distinguished ? "all" : "not all");
   }
   const std::string contradict =
       results.campaign ? count_that_contradict(*results.campaign) : std::string();
@@ -98,8 +97,8 @@ ReportFacts key_facts_of_calibration(const ExperimentResults& results) {
   return facts;
 }
 
-/// The largest share told of each joint, 1; NaN where it is not known.
-double most_told(const ExperimentResults& results, const std::string& joint) {
+/// Largest variance reduction of the density of each joint, 1; NaN where it is not known.
+double largest_reduction(const ExperimentResults& results, const std::string& joint) {
   const auto density = std::ranges::find(results.densities, joint, &DensityFound::name);
   if (density == results.densities.end() || density->told.empty()) {
     return std::numeric_limits<double>::quiet_NaN();
@@ -107,9 +106,9 @@ double most_told(const ExperimentResults& results, const std::string& joint) {
   return std::ranges::max(density->told);
 }
 
-/// Joints whose density stands on others, or on nothing.
-bool is_doubtful(const CalibrationSummary& found, const std::string& joint, double told) {
-  return told < kTold || known_only_together(found, joint);
+/// Whether the levels do not determine the density of the joint by itself.
+bool is_doubtful(const CalibrationSummary& found, const std::string& joint, double reduction) {
+  return reduction < kDetermined || known_only_together(found, joint);
 }
 
 ReportTable joints_table(const ExperimentResults& results) {
@@ -117,20 +116,20 @@ ReportTable joints_table(const ExperimentResults& results) {
   ReportTable table{
       .title = "Joints",
       .caption =
-          "Told: the largest share of what was not known of the density before the levels "
-          "that they took away. A marked joint is not to be believed by itself.",
+          "Variance reduction: the largest share of the prior variance of the density that the "
+          "levels removed. Do not rely on a marked joint by itself.",
       .columns = {{.name = "joint"},
                   {.name = "k", .unit = "kN/m"},
-                  {.name = "slips", .unit = "%", .digits = 3},
+                  {.name = "slipping", .unit = "%", .digits = 3},
                   {.name = "up to", .unit = "N", .digits = 3},
-                  {.name = "told", .unit = "%", .digits = 3},
-                  {.name = "freedom", .unit = "1", .digits = 3}},
+                  {.name = "var. red.", .unit = "%", .digits = 3},
+                  {.name = "DoF", .unit = "1", .digits = 3}},
       .beside = true};
   for (const JointSummary& joint : found.joints) {
-    const double told = most_told(results, joint.name);
-    if (is_doubtful(found, joint.name, told)) table.marked.push_back(table.rows.size());
+    const double reduction = largest_reduction(results, joint.name);
+    if (is_doubtful(found, joint.name, reduction)) table.marked.push_back(table.rows.size());
     table.rows.push_back({joint.name, joint.stiffness / kKilonewtonPerMetre,
-                          joint.slipping_share / kPercent, joint.covered_to, told / kPercent,
+                          joint.slipping_share / kPercent, joint.covered_to, reduction / kPercent,
                           joint.degrees_of_freedom});
   }
   return table;
@@ -142,7 +141,7 @@ bool band_of_stiffness_is_wide(const JointSummary& joint) {
 }
 
 ReportFacts certainty_of_calibration(const CalibrationSummary& found) {
-  ReportFacts facts{.title = "How sure", .facts = {}};
+  ReportFacts facts{.title = "Uncertainty", .facts = {}};
   const auto add = [&](std::string name, std::string value) {
     facts.facts.emplace_back(std::move(name), std::move(value));
   };
@@ -158,7 +157,7 @@ ReportFacts certainty_of_calibration(const CalibrationSummary& found) {
                                           ? fmt::format("{:.1e} of them", found.frequency_scatter)
                                           : scatter_text(found.frequency_scatter, false));
   }
-  if (!found.frequency_use.empty()) add("frequencies count by", found.frequency_use);
+  if (!found.frequency_use.empty()) add("frequencies used", found.frequency_use);
   double freedom = 0.0;
   for (const JointSummary& joint : found.joints) freedom += joint.degrees_of_freedom;
   add("degrees of freedom of all densities", fmt::format("{:.1f}", freedom));
@@ -166,19 +165,18 @@ ReportFacts certainty_of_calibration(const CalibrationSummary& found) {
   return facts;
 }
 
-/// @param doubtful  names of those of the joints whose density is not to be believed.
+/// @param doubtful  names of the joints whose density is doubtful.
 std::string belief_text(const std::vector<std::string>& doubtful, std::size_t joints) {
   if (doubtful.size() > 1) {
-    return fmt::format("The densities of {} are not to be believed by themselves.",
-                       names_text(doubtful));
+    return fmt::format("Do not rely on the densities of {} by themselves.", names_text(doubtful));
   }
   if (doubtful.size() == 1) {
-    return fmt::format("The density of {} is not to be believed by itself.", doubtful.front());
+    return fmt::format("Do not rely on the density of {} by itself.", doubtful.front());
   }
-  return joints == 1 ? "The levels tell the density." : "The levels tell the densities apart.";
+  return joints == 1 ? "The levels determine the density." : "The levels determine each density.";
 }
 
-/// What is to be believed of joints that were found together.
+/// The verdict on joints that were found together.
 ReportVerdict verdict_on_joints(const ExperimentResults& results,
                                 const std::vector<Warning>& warnings) {
   const CalibrationSummary& found = *results.calibration;
@@ -189,7 +187,7 @@ ReportVerdict verdict_on_joints(const ExperimentResults& results,
   }
   std::vector<std::string> doubtful;
   for (const JointSummary& joint : found.joints) {
-    if (is_doubtful(found, joint.name, most_told(results, joint.name))) {
+    if (is_doubtful(found, joint.name, largest_reduction(results, joint.name))) {
       doubtful.push_back(joint.name);
     }
   }
@@ -239,9 +237,9 @@ ReportSection calibration_summary_section(const ExperimentResults& results) {
   }
   section.blocks.emplace_back(ReportMissing{
       joint_count(results) > 0
-          ? "No calibration.json in this folder: which joints are known only together, scatter "
-            "and what to worry about are not told."
-          : "Levels of modes as measured: no joint was found from them yet.",
+          ? "No calibration.json in this folder: joints known only together, scatter and "
+            "warnings are not available."
+          : "Modal levels as measured: no joint was identified from them yet.",
       kCalibrate});
   if (!results.densities.empty()) {
     section.blocks.emplace_back(ReportFigure{.figure = densities_figure(results)});

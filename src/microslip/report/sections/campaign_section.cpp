@@ -63,9 +63,9 @@ double end_of(const std::vector<const CampaignEntry*>& levels, bool largest) {
 ReportTable campaign_tests_table(const std::vector<TestRows>& tests) {
   ReportTable table{.title = "Tests of the campaign",
                     .caption =
-                        "From campaign.csv. Levels are those that joints were identified from, D "
-                        "off that found: the mean of ln of measured over that of the joints. "
-                        "Inside: predicted values in their bands.",
+                        "From campaign.csv. Levels: those used for identification. D deviation: "
+                        "mean of ln of measured D over that of the joints found. Inside: "
+                        "predicted values within their bands.",
                     .columns = {{"test"},
                                 {"use"},
                                 {"session"},
@@ -73,7 +73,7 @@ ReportTable campaign_tests_table(const std::vector<TestRows>& tests) {
                                 {"levels", "1", 0},
                                 {"from", "µm", 3},
                                 {"to", "µm", 3},
-                                {"D off that found", "%", 3},
+                                {"D deviation", "%", 3},
                                 {"inside"}}};
   for (const TestRows& test : tests) {
     const std::size_t banded = test.inside + test.outside;
@@ -86,7 +86,7 @@ ReportTable campaign_tests_table(const std::vector<TestRows>& tests) {
   return table;
 }
 
-/// What the amplitude of a level is.
+/// Label of the axis of the amplitude of a level.
 const char* amplitude_label(const CampaignFound& found) {
   return found.of_model ? "displacement of the response point" : "joint amplitude A";
 }
@@ -117,7 +117,7 @@ void show_over_amplitude(const CampaignFound& found, std::vector<PointLayer> lay
   figure.x.log_switch = true;
 }
 
-/// A layer a session, and mode of a model: value(level) in % over the amplitude.
+/// A layer per session, and per mode of a model: value(level) in % over the amplitude.
 template <typename Value>
 ReportFigure over_amplitude(const CampaignFound& found, std::string title, std::string caption,
                             const char* label, const Value& value) {
@@ -148,16 +148,16 @@ void add_if_drawn(ReportSection& section, ReportFigure figure) {
 ReportTable sessions_table(const CampaignFound& found) {
   ReportTable table{.title = "Sessions",
                     .caption =
-                        "Frequencies against the first session, and how they scatter about "
-                        "their mean; D against that of the joints found.",
+                        "Frequencies against the first session, and their scatter about their "
+                        "mean; D against that of the joints found.",
                     .columns = {{"session"},
                                 {"tests", "1", 0},
                                 {"levels", "1", 0},
                                 {"frequency difference", "%", 3},
                                 {"± (σ)", "%", 2},
-                                {"taken off", "%", 3},
+                                {"corrected by", "%", 3},
                                 {"scatter of frequencies", "%", 2},
-                                {"D off that found", "%", 3},
+                                {"D deviation", "%", 3},
                                 {"scatter of D", "%", 3}}};
   if (found.of_model) table.columns.insert(table.columns.begin() + 1, {"mode", "1", 0});
   if (!found.repeatability.empty()) {
@@ -180,18 +180,18 @@ ReportTable condition_values_table(const std::vector<ConditionFound>& conditions
   ReportTable table{
       .title = "Conditions",
       .caption =
-          "Levels by what the tests say of themselves: D and frequency off those of "
-          "the joints identified from all, the latter less the offset of the session and, of a "
-          "model, less what is wrong with the mode.",
+          "Levels by the conditions of their tests: deviation of D and frequency from the joints "
+          "identified from all, frequency less the offset of the session and, with a model, less "
+          "the error of the mode.",
       .columns = {{"condition"},
                   {"value"},
                   {"tests", "1", 0},
                   {"levels", "1", 0},
                   {"from", "µm", 3},
                   {"to", "µm", 3},
-                  {"D off that found", "%", 3},
+                  {"D deviation", "%", 3},
                   {"± (σ)", "%", 2},
-                  {"frequency off", "%", 3},
+                  {"frequency deviation", "%", 3},
                   {"± (σ)", "%", 2}}};
   for (const ConditionFound& condition : conditions) {
     for (const ConditionGroup& group : condition.effect.groups) {
@@ -206,11 +206,11 @@ ReportTable condition_values_table(const std::vector<ConditionFound>& conditions
 }
 
 ReportTable condition_verdicts_table(const std::vector<ConditionFound>& conditions) {
-  ReportTable table{.title = "What conditions do",
+  ReportTable table{.title = "Effect of conditions",
                     .caption =
                         "Trends by least squares over the means of the values. Marked: values "
                         "that differ by more than three standard deviations.",
-                    .columns = {{"condition"}, {"trend"}, {"alike"}, {"verdict"}}};
+                    .columns = {{"condition"}, {"trend"}, {"equal"}, {"verdict"}}};
   for (const ConditionFound& condition : conditions) {
     const ConditionVerdict verdict = condition_verdict(condition.effect);
     if (verdict.differ) table.marked.push_back(table.rows.size());
@@ -228,14 +228,14 @@ ReportTable left_out_table_of(const CampaignFound& found) {
   ReportTable table{.title = "Left out",
                     .caption =
                         "Each left out in turn and predicted from the others; levels beyond "
-                        "theirs are not compared. Marked: it contradicts them; one of twenty does "
-                        "by chance.",
+                        "their range are not compared. Marked: contradicts the others, as one in "
+                        "twenty does by chance.",
                     .columns = {{"left out"},
                                 {"levels", "1", 0},
                                 {"compared", "1", 0},
-                                {"D off the others", "%", 3},
+                                {"D deviation", "%", 3},
                                 {"inside", "1", 0},
-                                {"chance", "%", 2},
+                                {"p-value", "%", 2},
                                 {"contradicts"}}};
   for (const PartLeftOut& part : parts_left_out(found)) {
     if (part.contradicts) table.marked.push_back(table.rows.size());
@@ -249,7 +249,8 @@ ReportTable left_out_table_of(const CampaignFound& found) {
   return table;
 }
 
-/// Whose marks those of a level are: "s2m2" of "s2m2: level 3", else all of what was left out.
+/// Owner of the marks of a level: "s2m2" of "s2m2: level 3", else the whole name of what was left
+/// out.
 std::string owner_of(const std::string& left_out) {
   return left_out.substr(0, left_out.find(": level "));
 }
@@ -277,7 +278,7 @@ ReportFigure left_out_figure(const CampaignFound& found) {
     if (std::isfinite(entry.measured) && entry.predicted > 0.0) rows.push_back(&entry);
   }
   std::ranges::stable_sort(rows, {}, &LeftOutEntry::amplitude);
-  PointLayer band{.legend = "middle of the band, with its edges", .colour = kGrey};
+  PointLayer band{.legend = "centre and edges of the band", .colour = kGrey};
   std::vector<PointLayer> measured;
   for (const LeftOutEntry* row : rows) {
     PointLayer& layer = marks_of(*row, measured);
@@ -288,13 +289,13 @@ ReportFigure left_out_figure(const CampaignFound& found) {
     band.y.push_back(0.5 * (row->lower + row->upper) / row->predicted - 1.0);
     band.y_error.push_back(0.5 * (row->upper - row->lower) / row->predicted);
   }
-  Figure figure{.title = "Dissipation left out",
+  Figure figure{.title = "Left-out dissipation",
                 .caption =
-                    "Measured over what the others predict, less 1, and the band of what "
-                    "would be read."};
+                    "Measured over the prediction from the others, less 1, with the band of a "
+                    "measurement."};
   measured.insert(measured.begin(), std::move(band));
   show_over_amplitude(found, std::move(measured), figure);
-  show_y(figure, "D over that of the others, less 1", ShownUnit{"%", kPercent});
+  show_y(figure, "D over prediction, less 1", ShownUnit{"%", kPercent});
   return {.figure = std::move(figure)};
 }
 
@@ -328,11 +329,11 @@ ReportSection campaign_section(const ExperimentResults& results) {
   add_if_drawn(
       section,
       over_amplitude(found, against,
-                     found.of_model ? "Of each level, over that of all joints together, which were "
-                                      "found from all, less 1."
-                                    : "Of each level, over that of the joint that was identified "
-                                      "from all, less 1.",
-                     "D over that found, less 1", [](const CampaignEntry& level) {
+                     found.of_model ? "Of each level, over that of all joints as identified from "
+                                      "all tests, less 1."
+                                    : "Of each level, over that of the joint as identified from "
+                                      "all tests, less 1.",
+                     "D over identified, less 1", [](const CampaignEntry& level) {
                        return level.dissipation / level.dissipation_predicted - 1.0;
                      }));
   add_if_drawn(section,
@@ -340,7 +341,7 @@ ReportSection campaign_section(const ExperimentResults& results) {
                               found.of_model
                                   ? "Of each level, over that of the model with its joints, less 1."
                                   : "Of each level, over that of the model with the joint, less 1.",
-                              "f over that of the model, less 1", [](const CampaignEntry& level) {
+                              "f over model, less 1", [](const CampaignEntry& level) {
                                 return level.frequency / level.frequency_predicted - 1.0;
                               }));
   section.blocks.emplace_back(campaign_tests_table(tests));

@@ -19,7 +19,7 @@
 namespace microslip {
 namespace {
 
-/// More rows nobody reads; the file has them all.
+/// More rows are not listed; the file has them all.
 constexpr std::size_t kMostRows = 200;
 
 std::string band_text(const ComparedCurve& curve, std::size_t i) {
@@ -92,9 +92,9 @@ ReportTable curves_table(const ComparisonFound& found) {
   ReportTable table{
       .title = "Tests as a whole",
       .caption =
-          "rms of predicted less measured, relative but of phases. Chance: of draws with so few "
-          "values inside, or fewer. Marked: it is so small that the draws do not foresee the test "
-          "(few_inside).",
+          "rms of predicted less measured, relative except for phases. p-value: share of draws "
+          "with as few values inside or fewer. Marked: so small that the draws do not explain the "
+          "test (few_inside).",
       .columns = {{"test"},
                   {"kind"},
                   {"quantity"},
@@ -102,7 +102,7 @@ ReportTable curves_table(const ComparisonFound& found) {
                   {"rms difference"},
                   {"inside", "1", 0},
                   {"expected", "1", 3},
-                  {"chance", "%", 3}}};
+                  {"p-value", "%", 3}}};
   for (const ComparedTest& test : found.tests) {
     for (const ComparedCurve& curve : test.curves) {
       if (curve.part != TestPart::kCurve) continue;
@@ -121,16 +121,15 @@ ReportTable curves_table(const ComparisonFound& found) {
 
 std::string lead_of_comparison(const ComparisonFound& found) {
   if (!found.of_this_model) {
-    return "What another joint or model than those beside it predicts of tests: verify again.";
+    return "comparison.csv is of another joint or model than those beside it: run verify again.";
   }
   return fmt::format(
-      "What the model predicts of {}, against what was measured, from "
-      "comparison.csv: {}.",
+      "Predictions of the model for {}, against measurements, from comparison.csv: {}.",
       counted(found.tests.size(), "test"), comparison_verdict(found));
 }
 
 ReportFacts notes_of(const ComparisonFound& found) {
-  ReportFacts facts{.title = "How it was compared", .facts = {}, .one_column = true};
+  ReportFacts facts{.title = "Comparison settings", .facts = {}, .one_column = true};
   for (const std::string& note : found.notes) {
     const std::size_t colon = note.find(": ");
     if (colon == std::string::npos) continue;

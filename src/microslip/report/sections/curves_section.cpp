@@ -15,9 +15,8 @@ namespace microslip {
 namespace {
 
 constexpr const char* kBandHolds =
-    " Between the edges lies most of the draws at each point by itself: neither edge as a whole is "
-    "a "
-    "prediction, and peaks have a spread of their own, in the comments of the table.";
+    " The band is pointwise: neither edge as a whole is a prediction, and the comments of the "
+    "table give the spread of peaks.";
 
 bool has_band(const Figure& figure) {
   for (const Layer& layer : figure.layers) {
@@ -42,18 +41,17 @@ void add_panels(ReportSection& section, FigureGrid grid, const std::string& titl
 
 /// Numbers as a table, curves as figures.
 void add_ensemble(ReportSection& section, const std::vector<EnsembleCurve>& curves) {
-  ReportTable table{.title = "Ensemble",
-                    .caption =
-                        "From ensemble.csv: medians of all jobs, and between which values "
-                        "most of them lie.",
-                    .columns = {{"jobs of"},
-                                {"quantity"},
-                                {"at"},
-                                {"median"},
-                                {"lower"},
-                                {"upper"},
-                                {"unit"},
-                                {"jobs", "", 0}}};
+  ReportTable table{
+      .title = "Ensemble",
+      .caption = "From ensemble.csv: medians of all jobs, and the range of most of them.",
+      .columns = {{"jobs of"},
+                  {"quantity"},
+                  {"at"},
+                  {"median"},
+                  {"lower"},
+                  {"upper"},
+                  {"unit"},
+                  {"jobs", "", 0}}};
   const auto text = [](double value) {
     return std::isnan(value) ? std::string() : fmt::format("{:.5g}", value);
   };
@@ -84,8 +82,8 @@ ReportSection curves_section(const ExperimentResults& results) {
   const PredictedCurves& curves = results.curves;
   if (!curves.any()) return section;
   section.blocks.emplace_back(ReportText{
-      "Predictions by models, from tables in this folder. The calls that made them, with "
-      "model and draws, stand in the last section."});
+      "Predictions by models, from tables in this folder. The commands that made them, with "
+      "model and draws, are listed in the last section."});
   if (curves.response) {
     add_panels(section, response_figure(*curves.response), "Frequency response", "From frf.csv.");
   }

@@ -19,7 +19,7 @@ namespace {
 constexpr Stroke kSpline = {.colour = kGreen, .width = 1.4};
 constexpr const char* kSplineName = "smoothing spline";
 
-/// What other methods make of the levels.
+/// Densities by other methods from the same levels.
 FigureOptions method_options(const MethodComparison& methods, const std::string& used) {
   FigureOptions options;
   if (used != "inversion") options.others.push_back({"inversion", methods.inversion.joint});
@@ -47,7 +47,7 @@ Figure density_with_methods(const ExperimentResults& results,
   return figure;
 }
 
-/// Of D between neighbouring levels, and of its smoothing spline.
+/// Adds slopes of D between neighbouring levels, and of its smoothing spline.
 void add_measured_slopes(Figure& figure, const MethodComparison& methods) {
   const MeasuredSlopes slopes = measured_slopes(methods);
   figure.layers.emplace_back(PointLayer{.x = slopes.differences.x,
@@ -63,10 +63,10 @@ std::string slope_caption(const ExperimentResults& results) {
       "density.";
   if (!results.joint->band_slip_force.empty()) {
     text +=
-        " It has no band: the one of the density holds at each slip force by itself, and D′ is an "
-        "integral over them.";
+        " It has no band: that of the density is pointwise, and D′ is an integral over slip "
+        "forces.";
   }
-  if (results.joint->linear_damping) text += " The linear damping βA² is taken off D.";
+  if (results.joint->linear_damping) text += " D is corrected for the linear damping βA².";
   return text;
 }
 
@@ -99,7 +99,7 @@ Figure smoothing_path_figure(const InversionResult& result) {
   return {.title = "Path of the smoothing parameter",
           .caption =
               "Cross-validation score of the inversion from stiff (left) to flexible; a flat "
-              "valley leaves the choice open. Chosen by itself, it is the least that the "
+              "valley leaves the choice open. The automatic choice is the least that the "
               "likelihood of the levels also allows.",
           .x = {.label = "effective degrees of freedom", .unit = "1"},
           .y = {.label = "cross-validation score", .unit = "1", .log = true, .log_switch = true},
@@ -112,8 +112,8 @@ Figure smoothings_figure(const MethodComparison& methods) {
   const double from = 0.9 * methods.inversion.covered_from;
   Figure figure{.title = "Density along the path",
                 .caption =
-                    "The inversion with other λ than the chosen one: what stays the same is in the "
-                    "data, what comes and goes is the smoothing.",
+                    "The inversion with other λ than the chosen one: what stays the same is "
+                    "determined by the data, the rest by the smoothing.",
                 .x = {.range = AxisRange{0.0, 1.04 * to}}};
   int colour = kVermillion;
   double top = 0.0;

@@ -29,13 +29,13 @@ Figure residual_figure(const ExperimentResults& results) {
 std::string standardised_caption(const ExperimentResults& results) {
   const bool by_amplitude = !results.levels->levels.amplitude_std.empty();
   return fmt::format(
-      "σ is that of D{}. Their rms is {:.2f}: near 1 the scatter explains them, but for what the "
-      "fit takes up of it. A run of one sign is a misfit of the joint.",
+      "σ is that of D{}. Their rms is {:.2f}: near 1 the scatter explains them, except what the "
+      "fit absorbs. A run of one sign is a misfit of the joint.",
       by_amplitude ? ", and of A through the slope of D, as in the identification" : "",
       misfit_of_levels(results).rms);
 }
 
-/// What is left in units of what the scatter over the cycles explains.
+/// Residuals over the standard deviation due to the scatter over the cycles.
 Figure standardised_figure(const ExperimentResults& results, const std::vector<double>& deviation) {
   Figure figure{.title = "Standardised residuals", .caption = standardised_caption(results)};
   const auto [lowest, highest] = std::ranges::minmax(results.levels->levels.amplitude);
@@ -53,7 +53,7 @@ Figure standardised_figure(const ExperimentResults& results, const std::vector<d
   return figure;
 }
 
-/// Exact levels of a virtual test against the reduced ones.
+/// Error of the reduced levels against the exact ones of a virtual test.
 Figure truth_figure(const Curve& errors) {
   Figure figure{
       .title = "Error of the reduction",

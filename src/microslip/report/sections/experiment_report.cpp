@@ -18,7 +18,7 @@
 namespace microslip {
 namespace {
 
-/// What sections lack goes into a list of its own before the last section; those that lack
+/// Moves the missing contents of sections to a list before the last section; those that lack
 /// everything are left out. The summary keeps what it lacks.
 std::vector<ReportSection> with_list_of_missing(std::vector<ReportSection> all) {
   const auto is_missing = [](const ReportBlock& block) {
@@ -35,7 +35,7 @@ std::vector<ReportSection> with_list_of_missing(std::vector<ReportSection> all) 
   return all;
 }
 
-/// Each warning where it is shown first: several files tell the same, and sections show theirs.
+/// Each warning where it is shown first: several files have the same, and sections show theirs.
 void show_warnings_once(std::vector<ReportSection>& all) {
   std::set<std::pair<std::string, std::string>> shown;
   for (ReportSection& section : all) {
@@ -70,7 +70,7 @@ std::vector<ReportSection> sections_of(const ExperimentResults& results,
     add(calibration_summary_section(results));
     add(modes_section(results));
     add(joints_at_levels_section(results));
-    add(told_section(results));
+    add(identifiability_section(results));
     if (!has_test(results)) {
       add(comparison_section(results));
       add(campaign_section(results));

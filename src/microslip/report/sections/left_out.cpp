@@ -30,7 +30,7 @@ std::string_view noun_of_parts(const std::vector<PartLeftOut>& parts, const Camp
   return "part";
 }
 
-/// How many of what, and of how many.
+/// Number of contradicting parts, and of all that were judged.
 struct Contradictions {
   std::vector<PartLeftOut> parts;  ///< that contradict
   std::size_t judged = 0;          ///< with those that do not
@@ -102,8 +102,8 @@ void put_contradictions(const ExperimentResults& results, ReportVerdict& verdict
 }
 
 std::string unknown_repeatability(const ExperimentResults& results) {
-  const bool told = results.campaign && !results.campaign->repeatability.empty();
-  return told ? "" : ", and whether the test repeats";
+  const bool known = results.campaign && !results.campaign->repeatability.empty();
+  return known ? "" : ", and whether the test repeats";
 }
 
 }  // namespace microslip

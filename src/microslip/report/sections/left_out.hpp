@@ -9,23 +9,23 @@
 #include "microslip/workflow/results/experiment_results.hpp"
 
 /// @file
-/// What a campaign says of tests, modes or levels that were left out in turn. Internal to report.
+/// Results of a campaign for tests, modes or levels that were left out in turn. Internal to report.
 
 namespace microslip {
 
-/// What was left out at once.
+/// Levels that were left out at once.
 struct PartLeftOut {
   std::string name = {};        ///< of the test, the mode or the level
   std::size_t levels = 0;       ///< of it
   std::size_t compared = 0;     ///< those that the others predict
   std::size_t inside = 0;       ///< those in their band
   double mean_deviation = 0.0;  ///< ln of the mean of measured over predicted, 1
-  double chance = 0.0;          ///< of the draws of which so few lie in the band, 1
-  bool judged = true;           ///< whether the others know the joints one by one
-  bool contradicts = false;     ///< the others
+  double chance = 0.0;       ///< p-value: share of draws with as few values in the band or fewer, 1
+  bool judged = true;        ///< whether the others know the joints one by one
+  bool contradicts = false;  ///< the others
 };
 
-/// In the order of the file.
+/// The parts that were left out, in the order of the file.
 [[nodiscard]] std::vector<PartLeftOut> parts_left_out(const CampaignFound& found);
 
 /// "1 of 4 tests": how many contradict the others, of those that are judged. Empty where none is.
@@ -35,8 +35,8 @@ struct PartLeftOut {
 /// of levels, which are many, where they are more than one in twenty.
 void put_contradictions(const ExperimentResults& results, ReportVerdict& verdict);
 
-/// What nobody looked at of how a test repeats: ", and whether the test repeats", or nothing where
-/// a campaign tells it.
+/// ", and whether the test repeats" where the repeatability of the test is unknown, or nothing
+/// where a campaign gives it.
 [[nodiscard]] std::string unknown_repeatability(const ExperimentResults& results);
 
 }  // namespace microslip

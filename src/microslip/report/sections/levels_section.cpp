@@ -39,7 +39,7 @@ std::vector<double> numbers_from_one(std::size_t count) {
   return numbers;
 }
 
-/// 0 is what is left of a distortion once its noise is taken off.
+/// 0 marks a distortion that is below its noise.
 void add_distortion(ReportTable& table, const std::vector<double>& values) {
   if (values.empty()) return;
   table.columns.push_back({"distortion", "%", 2});
@@ -52,7 +52,7 @@ void add_distortion(ReportTable& table, const std::vector<double>& values) {
   }
 }
 
-/// Of the columns that are there.
+/// Caption that explains the existing columns.
 std::string caption_of(const MeasuredLevels& test) {
   const Levels& levels = test.levels;
   std::string text =
@@ -102,7 +102,7 @@ ReportSection levels_section(const ExperimentResults& results) {
     return section;
   }
   const MeasuredLevels& test = *results.levels;
-  ReportTable table{.title = "One row a level of vibration", .caption = caption_of(test)};
+  ReportTable table{.title = "One row per level of vibration", .caption = caption_of(test)};
   table.rows.resize(test.levels.size());
   add_numbers(table, "level", "1", numbers_from_one(test.levels.size()), 1.0, 0);
   add_texts(table, "record", test.source);

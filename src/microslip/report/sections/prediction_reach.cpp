@@ -22,7 +22,7 @@
 namespace microslip {
 namespace {
 
-constexpr const char* kReachTitle = "What predictions are good for";
+constexpr const char* kReachTitle = "Valid range";
 constexpr const char* kSmaller = "smaller motions";
 constexpr const char* kLarger = "larger motions";
 constexpr const char* kError = "error of predictions";
@@ -40,7 +40,7 @@ std::string range_text(double from, double to, std::string_view si_unit) {
   return fmt::format("{:.3g} to {:.3g} {}", from / unit.size, to / unit.size, unit.text);
 }
 
-/// Of values of which some may not be known.
+/// Range of the finite values.
 std::string range_text(const std::vector<double>& values, std::string_view si_unit) {
   std::vector<double> known;
   std::ranges::copy_if(values, std::back_inserter(known),
@@ -50,20 +50,19 @@ std::string range_text(const std::vector<double>& values, std::string_view si_un
   return range_text(least, most, si_unit);
 }
 
-/// What is taken of slip forces beyond those of the measured motions.
+/// What is known of slip forces beyond those of the measured motions.
 std::string beyond_text(const IdentifiedJoint& joint) {
   constexpr double kNothing = 5e-4;  // 0.0 %
   const double rest = 1.0 - joint.joint.density().moments(*joint.covered_to).zeroth;
   if (rest < kNothing) return "known: all of the stiffness has slipped";
-  return fmt::format("not known: {} of k has not slipped, what would slip of it is not told",
-                     percent_text(rest));
+  return fmt::format("not available: {} of k did not slip in the test", percent_text(rest));
 }
 
 /// The noise of a weak signal alone can be a quarter of it.
 std::string error_of_records(const ExperimentResults& results) {
   const std::vector<ChannelMisfit>& comparisons = results.comparisons;
   if (!results.predictions_are_of_this_joint) {
-    return "not told: the predictions are of another joint or rig";
+    return "not available: the predictions are of another joint or rig";
   }
   const auto worst = std::ranges::max_element(comparisons, {}, beyond_noise);
   const auto noisiest = std::ranges::max_element(comparisons, {}, &ChannelMisfit::nrmse);
@@ -75,7 +74,8 @@ std::string error_of_records(const ExperimentResults& results) {
       percent_text(noisiest->nrmse), range_text(responses, "m/s^2"));
 }
 
-/// Of records of the rig, and of tests against a model. @param unverified  where there is neither.
+/// Adds the errors at records of the rig, and of tests against a model.
+/// @param unverified  where there is neither.
 void add_errors(const ExperimentResults& results, const std::string& unverified,
                 ReportFacts& facts) {
   if (!results.comparisons.empty()) facts.facts.emplace_back(kError, error_of_records(results));
@@ -111,14 +111,15 @@ ReportFacts reach_of_levels(const ExperimentResults& results) {
     facts.facts.emplace_back("joint amplitude",
                              range_text(*joint.covered_from / k, *joint.covered_to / k, "m"));
   } else {
-    facts.facts.emplace_back("joint amplitude", "not told by its file");
+    facts.facts.emplace_back("joint amplitude", "not given in its file");
   }
   if (joint.covered_from && joint.covered_to) {
     facts.facts.emplace_back(
-        kSmaller, "extrapolated: the levels tell two moments of the density there, not its shape");
+        kSmaller,
+        "extrapolated: the levels determine two moments of the density there, not its shape");
     facts.facts.emplace_back(kLarger, beyond_text(joint));
   }
-  add_errors(results, "not verified: held against no record (microslip verify)", facts);
+  add_errors(results, "not verified: compared with no record (microslip verify)", facts);
   return facts;
 }
 
@@ -129,16 +130,15 @@ ReportFacts reach_of_records(const ExperimentResults& results) {
     const double k = joint.joint.stiffness();
     facts.facts.emplace_back("half range of the motion",
                              range_text(*joint.covered_from / k, *joint.covered_to / k, "m"));
-    facts.facts.emplace_back(kSmaller,
-                             "extrapolated: noise hides what slips, and the density goes on "
-                             "smoothly");
+    facts.facts.emplace_back(
+        kSmaller, "extrapolated: slip is below noise, the density is continued smoothly");
     facts.facts.emplace_back(kLarger, beyond_text(joint));
   }
   const auto worst =
       std::ranges::max_element(joint.by_records->records, {}, &RecordFound::unexplained);
   facts.facts.emplace_back(
       kError,
-      fmt::format("{} of the force of its own records, at most{}", percent_text(worst->unexplained),
+      fmt::format("at most {} of the force of its own records{}", percent_text(worst->unexplained),
                   results.comparison ? ""
                                      : "; not verified on a record that was "
                                        "not used"));
@@ -167,8 +167,7 @@ ReportFacts reach_of_calibration(const ExperimentResults& results) {
         fmt::format("amplitude of {}", joint.name),
         range_text(joint.covered_from / joint.stiffness, joint.covered_to / joint.stiffness, "m"));
   }
-  facts.facts.emplace_back(kLarger,
-                           "not known: what has not slipped at these amplitudes is not told");
+  facts.facts.emplace_back(kLarger, "not available: the levels do not show what slips there");
   facts.facts.emplace_back(
       kError, fmt::format("losses of its own levels scatter by {}{}",
                           found.scatter_is_relative ? percent_text(found.scatter)

@@ -26,14 +26,15 @@ std::vector<std::string> channels_of(const std::vector<ChannelMisfit>& compariso
   return names;
 }
 
-/// What is to be looked at in a row of the table.
+/// Status and flags of a row of the table.
 std::string remarks_of(const ChannelMisfit& row) {
   std::string text = row.status == "converged" ? "" : row.status;
   if (!row.flags.empty()) text += (text.empty() ? "" : " ") + row.flags;
   return text;
 }
 
-/// One row a record, with the NRMSE of its channels. The rows of a record follow each other.
+/// Table with one row per record and the NRMSE of its channels. The comparisons of a record follow
+/// each other.
 ReportTable misfit_table(const std::vector<ChannelMisfit>& comparisons) {
   const std::vector<std::string> channels = channels_of(comparisons);
   ReportTable table{.title = "Predicted against recorded",
@@ -61,7 +62,7 @@ ReportTable misfit_table(const std::vector<ChannelMisfit>& comparisons) {
   return table;
 }
 
-/// NRMSE and noise, a choice a channel.
+/// NRMSE and noise, a choice per channel.
 ReportFigure misfit_figure(const ExperimentResults& results) {
   ReportFigure figure{.choose = "Channel", .wide = true};
   for (Figure& channel : deviation_figures(results)) {
@@ -70,8 +71,8 @@ ReportFigure misfit_figure(const ExperimentResults& results) {
   }
   figure.figure.title = "Misfit of the prediction";
   figure.figure.caption =
-      "NRMSE of a channel, and what its noise makes of it: what the best Fourier series leaves. "
-      "Points on their noise have no error of the model that the noise would show.";
+      "NRMSE of a channel, and of its noise alone: the residual of the best Fourier series. "
+      "At points on their noise the error of the model is below noise.";
   figure.figure.layers.clear();
   return figure;
 }
@@ -115,7 +116,7 @@ ReportSection predictions_section(const ExperimentResults& results) {
   if (results.comparisons.empty() && results.predictions.empty()) {
     if (results.comparison) return section;  // which has a section of its own
     section.blocks.emplace_back(
-        ReportMissing{"No prediction held against recordings: no verification.csv in this folder.",
+        ReportMissing{"No prediction compared with recordings: no verification.csv in this folder.",
                       "microslip verify rig.toml joint.json recordings/level_* --out "
                       "verification.csv --histories "
                       "verification_histories.csv"});
@@ -123,10 +124,10 @@ ReportSection predictions_section(const ExperimentResults& results) {
   }
   section.blocks.emplace_back(
       ReportText{results.predictions_are_of_this_joint
-                     ? "What the identified joint predicts for the rig at the recorded frequency "
+                     ? "Predictions of the identified joint for the rig at the recorded frequency "
                        "and response, against the record. [AR14 Fig. 11]"
-                     : "What another joint or rig than those of this report predicts at the "
-                       "recorded frequency and response, against the record: verify again."});
+                     : "Predictions of another joint or rig than those of this report, at the "
+                       "recorded frequency and response, against the record: run verify again."});
   add_records(section, results, results.predictions, kPredictedNames);
   if (!results.comparisons.empty()) {
     section.blocks.emplace_back(misfit_figure(results));

@@ -43,15 +43,15 @@ ReportFigure of_records(const ExperimentResults& results, Figure figure, const M
   return shown;
 }
 
-/// What of the records is not drawn, and why.
+/// Text on the parts of the records that are not drawn, and the reason.
 std::string not_drawn_text(const ExperimentResults& results) {
   const std::size_t most = most_samples(results);
   std::string text;
   const auto is_long = [most](const ForcePath& path) { return path.time.size() > most; };
   if (std::ranges::any_of(results.force_paths, is_long)) {
     text = fmt::format(
-        "Of a record of more than {} samples those are drawn that are highest and lowest in their "
-        "stretch of time; numbers are of all samples. ",
+        "Of a record of more than {} samples the highest and lowest of each interval of time are "
+        "drawn; numbers are of all samples. ",
         most);
   }
   const auto has_gaps = [](const ForcePath& path) {
@@ -59,8 +59,8 @@ std::string not_drawn_text(const ExperimentResults& results) {
   };
   if (std::ranges::any_of(results.force_paths, has_gaps)) {
     text +=
-        "The line of the joint has gaps where its state is not known: it had slipped before, and "
-        "moves beyond all that was recorded. ";
+        "The line of the joint has gaps where its state is unknown: it had slipped before, and "
+        "moves beyond the recorded range. ";
   }
   if (!text.empty()) text.pop_back();
   return text;
@@ -77,7 +77,7 @@ std::string parts_text(const ExperimentResults& results) {
   return text;
 }
 
-/// The wish of a reader who finds nothing drawn.
+/// The message of a section in which nothing can be drawn.
 ReportMissing nothing_drawn() {
   return {
       "No forces and no loops: none of the recordings that the joint was identified from is in "
@@ -107,9 +107,9 @@ ReportTable record_table(const ExperimentResults& results) {
   ReportTable table{
       .title = "Records",
       .caption =
-          "Scatter is that of one sample, and with it what the joint leaves unexplained; "
-          "correlation that of neighbouring residuals. The state at the start is shown by "
-          "the first samples, given by the call or assumed.",
+          "Scatter is that of one sample, including what the joint leaves unexplained; "
+          "correlation that of neighbouring residuals. The initial state is detected from the "
+          "first samples, given by an option or assumed.",
       .columns = {{.name = "record", .unit = "1", .digits = 0},
                   {.name = "file"},
                   {.name = "samples", .unit = "1", .digits = 0},
@@ -135,7 +135,7 @@ ReportTable record_table(const ExperimentResults& results) {
 
 /// Each departure in each record, shares of the force beside those of noise.
 ReportTable table_of_all_verdicts(const std::vector<RecordFound>& records) {
-  ReportTable table{.title = "What was looked for, record by record",
+  ReportTable table{.title = "Tested assumptions, record by record",
                     .columns = {{.name = "record", .unit = "1", .digits = 0},
                                 {.name = "departure", .code = true},
                                 {.name = "of the force", .unit = "%", .digits = 2},
@@ -203,7 +203,7 @@ ReportSection record_loops_section(const ExperimentResults& results) {
       results,
       {.title = "Residual over displacement",
        .caption = "Means of all samples at which the displacement rises, and at which it falls: "
-                  "one joint leaves both at zero."},
+                  "the right joint leaves both at zero."},
       [&](const ForcePath& path) {
         return residual_over_displacement(path, scatter_of(results, path));
       });
@@ -218,10 +218,10 @@ ReportSection record_loops_section(const ExperimentResults& results) {
 ReportSection derived_section(const ExperimentResults& results) {
   ReportSection section{.title = "Dissipation and stiffness", .blocks = {}};
   if (!(results.joint->joint.density().largest_slip_force() > 0.0)) return section;
-  section.blocks.emplace_back(ReportText{fmt::format(
-      "What the joint does in steady vibration, up to the largest half range of the records: "
-      "computed from its density, not measured{}.",
-      results.joint->by_records->viscous ? ", and without the viscous part" : "")});
+  section.blocks.emplace_back(ReportText{
+      fmt::format("The joint in steady vibration, up to the largest half range of the records: "
+                  "computed from its density, not measured{}.",
+                  results.joint->by_records->viscous ? ", and without the viscous part" : "")});
   for (Figure& figure : joint_figures(results).panels) {
     figure.legend = Legend::kBelow;
     section.blocks.emplace_back(ReportFigure{.figure = std::move(figure)});

@@ -29,7 +29,7 @@ struct Judged {
   DepartureFound found;
 };
 
-/// What is there goes before what is not; else how far it stands out of the noise counts.
+/// Orders departures: those found after those not found, then by their share over that of noise.
 bool stands_out_less(const Judged& a, const Judged& b) {
   if (a.found.broken != b.found.broken) return b.found.broken;
   return a.found.share * b.found.noise < b.found.share * a.found.noise;
@@ -83,10 +83,9 @@ std::string lead_of_records(const ExperimentResults& results) {
       counted(joint.by_records->records.size(), "record"),
       joint.by_records->stiffness ? ", and its stuck stiffness k with it" : " with k as given");
   text += broken == 0
-              ? "Nothing in them says that it is not of the kind that is sought: sliders that "
-                "follow Masing's rule under constant load."
-              : "It is not of the kind that is sought, sliders that follow Masing's rule under "
-                "constant load: the density is one of a joint that is not there.";
+              ? "The records do not contradict a Masing joint under constant normal load."
+              : "It is not a Masing joint under constant normal load: its density is only that of "
+                "the nearest such joint.";
   return text;
 }
 
@@ -102,7 +101,7 @@ ReportFacts key_facts_of_records(const IdentifiedJoint& joint) {
           : "stuck stiffness k, as given",
       stiffness_text(joint));
   if (joint.covered_from && joint.covered_to) {
-    add("slip forces told",
+    add("slip forces determined",
         fmt::format("{:.3g} to {:.3g} N", *joint.covered_from, *joint.covered_to));
   }
   add(found.records.size() > 1 ? "force unexplained, at most" : "force unexplained",
@@ -118,10 +117,10 @@ ReportFacts key_facts_of_records(const IdentifiedJoint& joint) {
 ReportTable verdict_table(const FoundByRecords& found) {
   const bool several = found.records.size() > 1;
   ReportTable table{
-      .title = "Is it a joint of this kind?",
+      .title = "Is it a Masing joint?",
       .caption = fmt::format(
-          "What a departure explains of the force beside the joint, against what noise alone would"
-          "{}. It is found where it stands far out of the noise.",
+          "Share of the force that a departure explains besides the joint, against that of noise "
+          "alone{}. It is found where it is far above noise.",
           several ? "; each in the record where it stands out most" : ""),
       .columns = {{.name = "departure"}}};
   if (several) table.columns.push_back({.name = "record", .unit = "1", .digits = 0});
@@ -148,7 +147,7 @@ std::string banded_text(const BandedValue& value, double unit, std::string_view 
 
 ReportFacts certainty_of_records(const IdentifiedJoint& joint) {
   const FoundByRecords& found = *joint.by_records;
-  ReportFacts facts{.title = "What was found, and how sure", .facts = {}};
+  ReportFacts facts{.title = "Results and uncertainty", .facts = {}};
   const auto add = [&](const char* name, std::string value) {
     facts.facts.emplace_back(name, std::move(value));
   };
@@ -156,17 +155,17 @@ ReportFacts certainty_of_records(const IdentifiedJoint& joint) {
     add("stuck stiffness k", banded_text(*found.stiffness, kKilonewtonPerMetre, "kN/m"));
   }
   if (found.elastic) {
-    add("of it elastic K_e", banded_text(*found.elastic, kKilonewtonPerMetre, "kN/m"));
+    add("elastic part K_e", banded_text(*found.elastic, kKilonewtonPerMetre, "kN/m"));
   }
-  add("stiffness that slips", percent_text(joint.joint.density().total().zeroth));
+  add("slipping fraction of k", percent_text(joint.joint.density().total().zeroth));
   if (found.viscous) add("viscous part c", banded_text(*found.viscous, 1.0, "N s/m"));
   if (const auto width = typical_half_width(joint)) {
     add("density known to", fmt::format("± {} (median half-width of the {:.0f} % band)",
                                         percent_text(*width), 100.0 * joint.band_confidence));
   }
-  if (found.draws) add("draws of the posterior", fmt::format("{:.0f}", *found.draws));
+  if (found.draws) add("posterior draws", fmt::format("{:.0f}", *found.draws));
   add("solver", joint.status);
-  add("slipped part carries at most", fmt::format("{:.4g} N", joint.joint.macroslip_force()));
+  add("total slip force", fmt::format("{:.4g} N", joint.joint.macroslip_force()));
   return facts;
 }
 

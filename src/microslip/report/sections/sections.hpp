@@ -28,7 +28,7 @@ namespace microslip {
 [[nodiscard]] ReportSection predictions_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection comparison_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection campaign_section(const ExperimentResults& results);
-/// Where nothing but a comparison is there. @param results  with one.
+/// Summary of a folder with a comparison alone. @param results  with a comparison.
 [[nodiscard]] ReportSection comparison_summary_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection rig_section(const ExperimentResults& results);
 [[nodiscard]] ReportSection provenance_section(const ExperimentResults& results);

@@ -45,8 +45,7 @@ bool is_virtual(const ExperimentResults& results) {
 std::string text_of(const ExperimentResults& results) {
   std::string text =
       "Two cycles of a record, and the harmonics of the Fourier series that was fitted to the "
-      "whole "
-      "of it.";
+      "whole of it.";
   const auto over_time = std::ranges::count_if(
       results.records, [](const LevelRecord& record) { return !record.signals.empty(); });
   if (static_cast<std::size_t>(over_time) < results.record_count) {

@@ -10,7 +10,7 @@
 namespace microslip {
 namespace {
 
-/// Of the structure with its joint.
+/// Damping ratio of the structure with its joint.
 Figure structure_damping_figure(const ExperimentResults& results) {
   Figure figure{.title = "Damping of the structure",
                 .caption =

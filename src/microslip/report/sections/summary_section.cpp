@@ -22,23 +22,23 @@ constexpr const char* kIdentify =
     "microslip identify levels.csv --stiffness K --bands 1000 --out joint.json --density-csv "
     "density.csv";
 
-/// Where the joint is from, as far as its file tells.
+/// Origin of the joint, as far as its file states it.
 std::string origin(const ExperimentResults& results) {
   const IdentifiedJoint& found = *results.joint;
   const double k = found.joint.stiffness() / kKilonewtonPerMetre;
   if (found.method.empty()) {
-    return fmt::format(
-        "A joint of stuck stiffness {:.4g} kN/m. Its file does not tell how it was found", k);
+    return fmt::format("A joint of stuck stiffness {:.4g} kN/m. Its file does not state the method",
+                       k);
   }
   std::string text =
       fmt::format("A joint of stuck stiffness {:.4g} kN/m was identified by {}", k, found.method);
   if (!results.levels) return text;
   return text + (found.from_these_levels
                      ? fmt::format(" from {}", counted(used_count(*results.levels), "level"))
-                     : ", not from the levels below as far as its file tells");
+                     : ", according to its file not from the levels below");
 }
 
-/// What was done and found, in a sentence or two.
+/// The method and the result in a sentence or two.
 std::string lead(const ExperimentResults& results) {
   const IdentifiedJoint& found = *results.joint;
   const SlipDensity& density = found.joint.density();
@@ -52,8 +52,8 @@ std::string lead(const ExperimentResults& results) {
     return text + fmt::format(" at slip forces up to {:.3g} N.", *found.covered_to);
   }
   return text + fmt::format(
-                    " at slip forces up to {:.3g} N. The levels end there: what of the rest would "
-                    "slip under larger forces they do not tell.",
+                    " at slip forces up to {:.3g} N. The levels end there and do not show slip "
+                    "under larger forces.",
                     *found.covered_to);
 }
 
@@ -70,17 +70,17 @@ ReportFacts key_facts(const ExperimentResults& results) {
     add("slip forces covered",
         fmt::format("{:.3g} to {:.3g} N", *found.covered_from, *found.covered_to));
   }
-  add("stiffness that slips", percent_text(density.total().zeroth));
+  add("slipping fraction of k", percent_text(density.total().zeroth));
   add("elastic remainder", percent_text(density.elastic_remainder()));
   for (std::size_t i = 0; i < density.atoms().weight.size() && i < kMostAtomsShown; ++i) {
     add("slips at once", fmt::format("{} at {:.4g} N", percent_text(density.atoms().weight[i]),
                                      density.atoms().slip_force[i]));
   }
-  add("slipped part carries at most", fmt::format("{:.4g} N", found.joint.macroslip_force()));
+  add("total slip force", fmt::format("{:.4g} N", found.joint.macroslip_force()));
   return facts;
 }
 
-/// What the identification of the joint said of its own levels.
+/// Scatter of the levels that the joint was identified from.
 std::string scatter_of(const IdentifiedJoint& found) {
   std::string text =
       found.scatter_is_relative
@@ -100,7 +100,7 @@ std::string smoothing_of(const IdentifiedJoint& found) {
 }
 
 ReportFacts certainty(const ExperimentResults& results) {
-  ReportFacts facts{.title = "How sure", .facts = {}};
+  ReportFacts facts{.title = "Uncertainty", .facts = {}};
   const auto add = [&](const char* name, std::string value) {
     facts.facts.emplace_back(name, std::move(value));
   };
@@ -120,7 +120,7 @@ ReportFacts certainty(const ExperimentResults& results) {
         fmt::format("± {} by scatter alone (median half-width of the {:.0f} % band)",
                     percent_text(*width), 100.0 * found.band_confidence));
   } else {
-    add("density known to", "not told: no band was computed (identify --bands 1000)");
+    add("density known to", "not available: no band was computed (identify --bands 1000)");
   }
   // Of a parametric model they are those of the free density that it was compared with.
   if (found.parameters.empty()) {

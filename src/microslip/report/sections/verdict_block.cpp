@@ -14,7 +14,7 @@
 namespace microslip {
 namespace {
 
-constexpr const char* kKind = "a joint of sliders under a constant load";
+constexpr const char* kKind = "a Masing joint under constant normal load";
 
 void add_once(std::vector<std::string>& all, const std::string& text) {
   if (std::ranges::find(all, text) == all.end()) all.push_back(text);
@@ -32,8 +32,8 @@ std::string departure_text(const std::string& code) {
       {"not_masing", "not Masing: branches differ"},
       {"records_contradict", "not the other records' joint"},
       {"order_matters", "order: rising and falling levels differ"},
-      {"secant_against_dissipation", "k_eq: does not soften as D says"},
-      {"frequency_against_dissipation", "frequency: does not fall as D says"},
+      {"secant_against_dissipation", "k_eq: does not soften as D implies"},
+      {"frequency_against_dissipation", "frequency: does not fall as D implies"},
   }};
   const auto* known =
       std::ranges::find(kTexts, code, &std::pair<std::string_view, std::string_view>::first);
@@ -61,7 +61,7 @@ ReportVerdict verdict_on_joint(std::span<const DepartureFound> looked_for,
   }
   if (!broken.empty()) {
     verdict.doubtful = true;
-    verdict.text += fmt::format("Not {} ({}). What is shown is the nearest one.", kKind,
+    verdict.text += fmt::format("Not {} ({}). The nearest such joint is shown.", kKind,
                                 fmt::join(broken, "; "));
   } else if (!all.empty()) {
     verdict.text += fmt::format("Nothing contradicts {}: {} looked for, none found.", kKind,

@@ -9,7 +9,7 @@
 #include "microslip/workflow/results/experiment_results.hpp"
 
 /// @file
-/// What a report says first. Internal to report.
+/// The verdict at the top of a report. Internal to report.
 
 namespace microslip {
 
@@ -20,9 +20,9 @@ namespace microslip {
 /// The codes of warnings, each once.
 [[nodiscard]] std::vector<std::string> codes_of(const std::vector<Warning>& warnings);
 
-/// Whether a joint is to be believed: what was looked for and found, and how the solver ended.
+/// Whether a joint is reliable: the departures tested and found, and the status of the solver.
 /// @param status  as IdentifiedJoint has it.
-/// @param looked_for  a departure may stand there several times, once a record.
+/// @param looked_for  a departure may stand there several times, once per record.
 /// @param warnings  those that the section shows.
 [[nodiscard]] ReportVerdict verdict_on_joint(std::span<const DepartureFound> looked_for,
                                              const std::string& status,

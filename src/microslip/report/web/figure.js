@@ -29,7 +29,7 @@ function swatch(trace) {
 
 /** A figure of the page: its chart, legend and buttons. */
 class FigureView {
-  /** @param node  the <figure>. @param figure  of the report's data. @param choose  told of a choice. */
+  /** @param node  the <figure>. @param figure  of the report's data. @param choose  called with a choice. */
   constructor(node, figure, choose) {
     this.node = node;
     this.figure = figure;
@@ -86,8 +86,8 @@ class FigureView {
     if (this.select) this.select.selectedIndex = index;
     this.state.chosen = index;
     this.state.traces = this.choice.traces;
-    const told = this.node.querySelector('.chosen');
-    if (told) told.textContent = `${this.figure.choose}: ${this.choice.name}`;
+    const chosen = this.node.querySelector('.chosen');
+    if (chosen) chosen.textContent = `${this.figure.choose}: ${this.choice.name}`;
     for (const {group, shown} of this.state.traces) {
       if (!shown && !this.known.has(group)) this.state.hidden.add(group);
       this.known.add(group);
@@ -186,11 +186,11 @@ class FigureView {
     save(`${this.name}.${format}`, new Blob([bytes], {type}));
   }
 
-  /** Left and right walk along a trace, up and down from trace to trace. */
+  /** Left and right move along a trace, up and down from trace to trace. */
   listen() {
     const moves = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
     this.area.tabIndex = 0;
-    // The keys are for the chart, and only what they find is told aloud.
+    // The keys are for the chart, and only what they find is read aloud.
     this.area.setAttribute('role', 'application');
     this.area.setAttribute('aria-roledescription', 'chart');
     this.area.setAttribute('aria-describedby', 'keys');
@@ -199,7 +199,7 @@ class FigureView {
       if (!move || !this.drawn) return;
       event.preventDefault();
       this.readout.textContent = this.chart.step(...move);
-      tell(this.readout.textContent);
+      announce(this.readout.textContent);
     });
     this.area.addEventListener('blur', () => { this.readout.textContent = ''; });
   }

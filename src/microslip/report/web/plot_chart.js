@@ -73,7 +73,7 @@ class PlotChart {
     this.tickAgain();  // a zoom may have lasted
   }
 
-  /** What the ticks of a logarithmic axis depend on. */
+  /** Key of all that the ticks of a logarithmic axis depend on. */
   tickKey(name, range) { return `${range} ${this.length(name).length}`; }
 
   /** Ticks of logarithmic axes for what they show now: a part after a zoom, in the place that there is. */

@@ -82,10 +82,10 @@ function addThemeSwitch() {
   document.querySelector('nav').append(made);
 }
 
-/** What is only for those who hear the page: what was done, and how to use a chart. */
+/** Text for screen readers only: what was done, and how to use a chart. */
 function addSpoken() {
-  document.body.append(element('output', {className: 'spoken', id: 'told'}), element('p', {className: 'spoken',
-    id: 'keys', textContent: 'Left and right walk along the points, up and down from curve to curve.'}));
+  document.body.append(element('output', {className: 'spoken', id: 'announcement'}), element('p', {className: 'spoken',
+    id: 'keys', textContent: 'Left and right move along the points, up and down from curve to curve.'}));
 }
 
 /** Marks the section that is being read in the navigation. */

@@ -83,11 +83,11 @@ function button(label, title, act) {
 }
 
 /** To those who hear the page. */
-function tell(text) { document.getElementById('told').textContent = text; }
+function announce(text) { document.getElementById('announcement').textContent = text; }
 
 /** Says on a button for a moment, and aloud, what it has done. */
 function confirmOn(made, text) {
-  tell(text);
+  announce(text);
   const label = made.dataset.label ?? made.textContent;
   made.dataset.label = label;
   made.textContent = text;

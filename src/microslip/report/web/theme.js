@@ -8,7 +8,7 @@ const theme = (() => {
   const listeners = [];
 
   const isDark = () => (root.dataset.theme ? root.dataset.theme === 'dark' : system.matches);
-  const tell = () => listeners.forEach((listener) => listener());
+  const notify = () => listeners.forEach((listener) => listener());
 
   function colours() {
     const style = getComputedStyle(root);
@@ -32,14 +32,14 @@ const theme = (() => {
     return found;
   }
 
-  system.addEventListener('change', tell);
+  system.addEventListener('change', notify);
   return {
     isDark,
     colours,
     lightColours,
     toggle() {
       root.dataset.theme = isDark() ? 'light' : 'dark';
-      tell();
+      notify();
     },
     onChange(listener) { listeners.push(listener); },
   };

@@ -76,11 +76,11 @@ class TimeChart {
       }))],
       legend: {show: false},
       cursor: {sync: {key: `section-${this.figure.section}`}},
-      hooks: {setCursor: [(plot) => this.tell(plot)]},
+      hooks: {setCursor: [(plot) => this.showReadout(plot)]},
     };
   }
 
-  tell(plot) {
+  showReadout(plot) {
     const i = plot.cursor.idx;
     if (i === null || i === undefined) {
       this.readout.textContent = '';
