@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Doxygen finds nothing to say about the public headers, and no page names a folder of this machine. The
+# Doxygen accepts the public headers without a warning, and no page names a folder of this machine. The
 # pages are left in FOLDER/html.
 # Usage: check_api.sh DOXYGEN DOXYFILE FOLDER
 set -euo pipefail

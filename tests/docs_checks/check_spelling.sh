@@ -29,7 +29,7 @@ trap 'rm -rf "$work"' EXIT
 } | grep $'^prose\t' >"$work/parts" || { echo "nothing to spell below $PWD" >&2; exit 1; }
 mapfile -t places < <(cut -f 2,3 --output-delimiter : "$work/parts")
 
-# What is no word of English makes way for a ~: names of files and of code, abbreviations in capitals,
+# Text that is not English is replaced by a ~: names of files and of code, abbreviations in capitals,
 # what has digits, commands of Doxygen. So does the 's of names.
 cut -f 4- "$work/parts" | sed -E -e 's/\\//g' -e "s/['’]s\b//g" -e 's/@[a-z]+(\{[^}]*\})?/~/g' \
   -e 's/[A-Za-z-]*\.(csv|toml|json|hpp|cpp|md|svg|html|txt|js)\b/~/g' -e 's/(^|[^A-Za-z])\.[a-z0-9]+/\1~/g' \

@@ -8,7 +8,7 @@
   if (text ~ /^     / || text ~ /^ namespace /) next
   gsub(/`[^`]*`/, "~", text)
   gsub(/@(param|throws|ref|see)(\[[a-z,]*\])? +[A-Za-z_]+(, *[A-Za-z_]+)* /, "~ ", text)
-  # What stands behind code does not go on with the comment above.
+  # A comment behind code does not continue the comment above.
   if (at > 1 && $0 ~ /[^ ].*\/\//) text = "~ " text
   if (text ~ /[^ ]/) print "prose\t" FILENAME "\t" FNR "\t" text
 }

@@ -4,8 +4,8 @@
 #   reference    use of such a name, [text][name]
 #   heading      its text
 #   html_link    src="… or href="… without the last quote
-#   html_anchor  id="… or name="… likewise
-#   code         what stands between backticks
+#   html_anchor  id="… or name="… in HTML
+#   code         text between backticks
 #   prose        a line without code, targets, addresses and HTML
 # Fenced and indented code and comments in HTML have no parts. Any awk; bytes, whatever the encoding.
 
@@ -16,7 +16,7 @@ function part(kind, line, text) {
 
 function newlines(text) { return gsub(/\n/, "\n", text) }
 
-# A span of code is what stands between two runs of the same number of backticks. It is taken out, but
+# A span of code is the text between two runs of the same number of backticks. It is taken out, but
 # for its line breaks.
 function without_code(text, line, kept, run, rest, end, inside) {
   while (match(text, /`+/)) {
