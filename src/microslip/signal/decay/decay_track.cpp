@@ -58,7 +58,7 @@ void check_signal(std::span<const double> signal) {
   constexpr std::size_t kFewest = 32;
   if (signal.size() < kFewest) {
     throw InputError("number of samples", fmt::format("{}", signal.size()),
-                     fmt::format("must be at least {}: too short for a decay" kFewest));
+                     fmt::format("must be at least {}: too short for a decay", kFewest));
   }
   const auto bad = std::ranges::find_if_not(signal, [](double y) { return std::isfinite(y); });
   if (bad == signal.end()) return;
