@@ -18,10 +18,11 @@ namespace microslip::test {
 
 inline constexpr int kDamagedFiles = 10000;
 
-/// Fewer where each file takes a process of its own, a fifth of these under the sanitizers, whose
-/// processes start slowly; all of them where MICROSLIP_ALL_DAMAGED_FILES is set.
+/// Fewer where each file takes a process of its own, a fifth of these but in the studies, under the
+/// sanitizers, too, whose processes start slowly; all of them where MICROSLIP_ALL_DAMAGED_FILES is
+/// set.
 inline int damaged_files(int fewer) {
-  if (kSanitized) fewer /= 5;
+  if (!in_studies()) fewer /= 5;
   return std::getenv("MICROSLIP_ALL_DAMAGED_FILES") == nullptr ? fewer : kDamagedFiles;
 }
 
@@ -50,7 +51,7 @@ bool survives(const std::string& path, const std::string& content, const Read& r
 /// Reads the file cut short at that many random places. Few of the cuts may leave a whole file.
 template <class Read>
 void read_cut(const std::string& path, std::uint64_t seed, const Read& read,
-              int files = kDamagedFiles) {
+              int files = cases_of(kDamagedFiles)) {
   const std::string whole = get(path);
   std::mt19937_64 random(seed);
   int taken = 0;
@@ -58,7 +59,7 @@ void read_cut(const std::string& path, std::uint64_t seed, const Read& read,
     taken += survives(path, whole.substr(0, random() % whole.size()), read) ? 1 : 0;
   }
   record_sum("cut [1]", files);
-  EXPECT_LT(taken, files / 20);
+  EXPECT_LT(taken, bound_of(0.05) * files);
   put(path, whole);
   read();
 }
@@ -66,7 +67,7 @@ void read_cut(const std::string& path, std::uint64_t seed, const Read& read,
 /// Reads the file that often with one to three bytes changed at random.
 template <class Read>
 void read_changed(const std::string& path, std::uint64_t seed, const Read& read,
-                  int files = kDamagedFiles) {
+                  int files = cases_of(kDamagedFiles)) {
   const std::string whole = get(path);
   std::mt19937_64 random(seed);
   int refused = 0;
@@ -83,7 +84,7 @@ void read_changed(const std::string& path, std::uint64_t seed, const Read& read,
     refused += survives(path, content, read) ? 0 : 1;
   }
   record_sum("changed [1]", files);
-  EXPECT_GT(refused, files / 20);
+  EXPECT_GT(refused, least_of(0.05) * files);
 }
 
 }  // namespace microslip::test

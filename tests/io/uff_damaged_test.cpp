@@ -13,6 +13,7 @@
 
 #include "io/uff_support.hpp"
 #include "microslip/io/uff/uff55.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 
 namespace microslip::uff_damaged_test {
@@ -20,7 +21,7 @@ namespace {
 
 using test::Function58;
 
-constexpr int kCases = 2500;  // for each of four files
+const int kCases = test::cases_of(2500);  // for each of four files
 
 std::string text_file() {
   Function58 f;
@@ -164,8 +165,8 @@ TEST_P(UffDamaged, Truncated) {
   const std::string whole = original();
   for (int i = 0; i < kCases; ++i) read(whole.substr(0, random() % whole.size()), i % 2 == 0);
   test::record_sum("cut [1]", kCases);
-  EXPECT_GT(counts_.read, kCases / 100);
-  EXPECT_GT(counts_.refused, kCases / 10);
+  EXPECT_GT(counts_.read, test::least_of(0.01) * kCases);
+  EXPECT_GT(counts_.refused, test::least_of(0.1) * kCases);
 }
 
 TEST_P(UffDamaged, Corrupted) {
@@ -173,8 +174,8 @@ TEST_P(UffDamaged, Corrupted) {
   const std::string whole = original();
   for (int i = 0; i < kCases; ++i) read(corrupted(whole, random), i % 2 == 0);
   test::record_sum("changed [1]", kCases);
-  EXPECT_GT(counts_.read, kCases / 100);
-  EXPECT_GT(counts_.refused, kCases / 10);
+  EXPECT_GT(counts_.read, test::least_of(0.01) * kCases);
+  EXPECT_GT(counts_.refused, test::least_of(0.1) * kCases);
 }
 
 /// A file cut anywhere gives the values it still has, never others.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/uff_support.hpp"
+#include "support/effort.hpp"
 
 namespace microslip::uff_round_trip_test {
 namespace {
@@ -131,7 +132,7 @@ void expect_same(const Recording& read, const Recording& expected) {
 
 TEST(UffRoundTrip, BinaryIsExact) {
   std::mt19937_64 random(1);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < test::cases_of(500); ++i) {
     SCOPED_TRACE(i);
     const Recording recording = any_recording(random);
     const std::vector<Recording> read = written_and_read({recording}, true);
@@ -167,7 +168,7 @@ TEST(UffRoundTrip, EvenAxesStayEven) {
 
 TEST(UffRoundTrip, TextHasThirteenDigits) {
   std::mt19937_64 random(3);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::cases_of(200); ++i) {
     Recording recording = any_recording(random);
     recording.axis = {.dimension = kTime, .start = 0.0, .step = 1.0 / 8192.0, .values = {}};
     const Recording read = written_and_read({recording}, false).at(0);

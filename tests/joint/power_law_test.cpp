@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "support/effort.hpp"
 #include "support/exact_power_law.hpp"
 
 namespace microslip::power_law_test {
@@ -44,6 +45,7 @@ const std::vector<double> kExponents = {-4.0,         -3.5,        -3.0 - 1e-3, 
 TEST(PowerLaw, IsAccurateFromJustAboveItsStartToFarBeyondItsEnd) {
   for (const double exponent : kExponents) {
     for (const double from : {1.0 / 3.0, 7.3}) {
+      if (from < 1.0 && !test::in_studies()) continue;  // the same on another scale
       for (const double reach : {1.5, 1000.0}) {
         const PowerLawPart part{0.01, exponent, from, from * reach};
         for (const double beyond :

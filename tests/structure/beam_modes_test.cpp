@@ -17,6 +17,7 @@
 #include "structure/beams.hpp"
 #include "structure/exact_beam.hpp"
 #include "structure/hermite_beam.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
@@ -30,7 +31,7 @@ using testing::random_beam;
 using testing::reference_beam;
 using testing::unit_beam;
 
-constexpr std::uint64_t kBeams = 60;  // random ones
+const auto kBeams = static_cast<std::uint64_t>(test::cases_of(60));  // random ones
 
 /// λ_i = √ω_i of a unit beam.
 double lambda(const BeamModes& modes, std::size_t i) {

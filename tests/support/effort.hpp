@@ -44,6 +44,10 @@ inline std::uint64_t draws_of(std::uint64_t needed, std::uint64_t fewer = 1) {
   return in_studies() ? needed : kSanitized ? 1 : fewer;
 }
 
+/// Number of damaged files and the like, each of which is judged by itself: all in the studies and
+/// under the sanitizers, which see most in them, else a fifth.
+inline int cases_of(int all) { return in_studies() || kSanitized ? all : all / 5; }
+
 /// The upper bound of a statistic of draws_of(): three times as much for few
 /// draws, which scatter, none under the sanitizers. Bounds of each draw are judged everywhere.
 inline double bound_of(double bound) {
