@@ -12,6 +12,7 @@
 #include "cli/run_program.hpp"
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/io/tables/csv.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/replaced.hpp"
 
@@ -111,8 +112,10 @@ gain_std = 0.021
 // Their band knows nothing of that: three of four are inside, all values of the peaks no more than
 // 0.5 % beyond, and what an edge of 1000 draws is known to, 2.67σ/√1000, σ = 2.2 %; frequencies are
 // inside. Of the amplitudes over the curve so many are as 1 − 0.95 of the draws have, at least. The
-// sweep's peak is that of `reduce`.
+// sweep's peak is that of `reduce`. In the studies alone: docs/tutorial_brake_reuss_beam.md,
+// section 6, makes these calls and compares what they print.
 TEST_F(BrakeReuss, SweepsOfHeldForceLieAtTheEdgeOfTheBandOfTheOthers) {
+  MICROSLIP_STUDY();
   expect_done(box_, {"identify", "levels.csv", "--stiffness", "4.88e5", "--linear-damping", "fit",
                      "--dissipation-gain-std", "2.1%", "--seed", "2", "--samples", "1000",
                      "--samples-out", "joint_samples.h5", "--out", "joint.json", "--quiet"});
@@ -160,7 +163,9 @@ TEST_F(BrakeReuss, SweepsOfHeldForceLieAtTheEdgeOfTheBandOfTheOthers) {
 
 // The example, with the sweeps by their name here. The bounds are those of the test above, and the
 // spread of the frequency that is found is the 0.44 % that the tutorial finds from the same levels.
+// In the studies alone: the tutorial, section 7, runs the example and compares what it prints.
 TEST_F(BrakeReuss, ACampaignPredictsSweepsOfHeldForceByThoseOfHeldResponse) {
+  MICROSLIP_STUDY();
   box_.put(
       "campaign.toml",
       test::replaced(test::replaced(box_.get("campaign.toml"),

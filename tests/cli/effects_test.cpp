@@ -651,8 +651,10 @@ Run changed_run(const EffectRow& row) {
 /// Whether the call takes a second or more, as finding two joints or planning a level does.
 bool is_slow(const EffectRow& row) {
   return std::ranges::any_of(
-      std::array{"calibrate ", "campaign ", "ensemble predict.toml", "watch watched",
-                 "identify assembled_levels.csv --assemblies column", "identify first.csv",
+      std::array{"calibrate ", "campaign ", "watch ", "plan full_levels.csv",
+                 "ensemble predict.toml", "ensemble bootstrap.toml", "ensemble atom_plan.toml",
+                 "identify record.csv", "identify assembled_levels.csv --assemblies column",
+                 "identify first.csv", "verify drawn_model.toml",
                  "verify rig.toml identified.json level_01.csv level_02.csv --draws"},
       [&](const char* call) { return row.base.starts_with(call); });
 }
