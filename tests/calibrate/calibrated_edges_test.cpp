@@ -87,9 +87,10 @@ TEST(CalibratedEdges, BandsHoldTheLossesOfJointsThatReleaseTheirStiffness) {
 
 // 40 displacements in equal ratios over four decades of each of two modes: most levels lie where
 // the joint with the edge hardly slips. Over two seeds the bands of its losses contained 1.00 and
-// 1.00 of the levels, 0.90 and 0.91 without edges.
+// 1.00 of the levels, 0.90 and 0.91 without edges. In the studies alone: the test before finds the
+// edge of the same joints by fewer levels.
 TEST(CalibratedEdges, AreFoundByLevelsOverFourDecades) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   SimulatedTest test = testing::simulated(lap_and_other(box(6e5, 0.0, 30.0), tent(9e5, 110.0, 0.5)),
                                           2, 1.5e-8, 1.5e-4, 40, 1);
   const CalibrationResult found = calibrated(testing::clean_losses(test), 300, true, test);
@@ -166,9 +167,10 @@ TEST(CalibratedEdges, ARangeWithoutSlipIsTakenAsOne) {
   }
 }
 
-// Both have an edge; that of the joint which loses less is found where the noise allows.
+// Both have an edge; that of the joint which loses less is found where the noise allows. In the
+// studies alone: the test before finds two edges of a joint.
 TEST(CalibratedEdges, BothJointsMayHaveOne) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   SimulatedTest test = tested(box(6e5, 0.0, 30.0), box(9e5, 5.0, 40.0));
   const CalibrationResult found = calibrated(testing::clean_losses(test), 300, true, test);
   expect_edges(found.joints[0], {30.0}, 300);
@@ -176,12 +178,14 @@ TEST(CalibratedEdges, BothJointsMayHaveOne) {
   for (std::size_t j = 0; j < 2; ++j) EXPECT_GE(testing::loss_coverage(found, test, j), 0.9) << j;
 }
 
-// One edge at six times the largest force, and densities that bend or peak: none is found.
+// Densities that bend or peak, and, in the studies, one edge at six times the largest force: none
+// is found.
 TEST(CalibratedEdges, NoneIsFoundOutsideOfTheLevelsOrInASmoothDensity) {
   MICROSLIP_OF_RELEASE_ALONE();
-  const std::vector<Edged> cases{{"outside", box(6e5, 0.0, 600.0), tent(9e5, 110.0, 0.5), {}},
-                                 {"tents", tent(6e5, 300.0, 0.6), tent(9e5, 60.0, 0.6), {}}};
+  const std::vector<Edged> cases{{"tents", tent(6e5, 300.0, 0.6), tent(9e5, 60.0, 0.6), {}},
+                                 {"outside", box(6e5, 0.0, 600.0), tent(9e5, 110.0, 0.5), {}}};
   for (const Edged& known : cases) {
+    if (&known != cases.data() && !microslip::test::in_studies()) break;
     SimulatedTest test = tested(known.lap, known.other);
     const std::vector<double> clean = testing::clean_losses(test);
     for (const std::uint64_t seed : {304U}) {

@@ -129,8 +129,9 @@ TEST(TwoJointsFromModalLevels, AreFoundByTheDrivePointAlone) {
   expect_found(test, test.calibrated(), 0.03);
 }
 
+// In the studies alone: TakesAmplitudesOfSensors has no frequencies either.
 TEST(TwoJointsFromModalLevels, AreFoundWithoutFrequencies) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const TwoJoints test;
   expect_found(test, test.calibrated({.frequency = FrequencyUse::kIgnore}), 0.04);
 }
@@ -153,9 +154,10 @@ TEST(TwoJointsFromModalLevels, TheirStiffnessesAreFoundToo) {
 }
 
 // Shapes of the stuck structure are wrong by up to 30 % in the displacement of a joint; densities
-// found with them by more than all.
+// found with them by more than all. In the studies alone: TakesAmplitudesOfSensors has these
+// shapes, too.
 TEST(TwoJointsFromModalLevels, StuckShapesAreWrongByWhatTheyAreWrongBy) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const TwoJoints test;
   const CalibrationResult found =
       test.calibrated({.frequency = FrequencyUse::kIgnore, .stuck_shapes = true});

@@ -15,6 +15,7 @@
 
 #include "io/support.hpp"
 #include "microslip/io/tables/csv.hpp"
+#include "support/effort.hpp"
 #include "support/figures.hpp"
 #include "support/reference_csv.hpp"
 
@@ -104,12 +105,10 @@ void expect_agreement(const CsvTable& summary) {
 
 TEST_F(AhmadianRajaei, AgreesWithThePaper) { expect_agreement(table("summary.csv")); }
 
-// All 90 levels, with the bounds of the full run: some 5 s, a minute and more where a sanitizer
-// looks on.
+// All 90 levels, with the bounds of the full run. In the studies alone: the reduced grid runs
+// the same code.
 TEST(AhmadianRajaeiInFull, AgreesWithThePaper) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "too slow with a sanitizer";
-#endif
+  MICROSLIP_STUDY();
   const test::TemporaryFolder folder;
   ASSERT_EQ(run_example("--out " + folder.file("out") + " > /dev/null"), 0);
   expect_agreement(CsvTable(test::get(folder.file("out/summary.csv")), "summary.csv"));

@@ -183,9 +183,10 @@ TEST(Parametric, RecoversEveryModelExactly) {
   check(uniform, kUniform, {0.02, 1.5, 20, 2e-4}, {{"weight", 0.7}, {"to", 40.0}});
 }
 
-// A relative noise of 2 % at 40 levels, 200 draws, its size given or to be estimated.
+// A relative noise of 2 % at 40 levels, 200 draws, its size given or to be estimated. In the
+// studies alone: the next two tests judge standard errors by 60 draws.
 TEST(Parametric, StandardErrorsAreThoseOfTheScatter) {
-  MICROSLIP_OF_RELEASE_ALONE();
+  MICROSLIP_STUDY();
   const Joint joint = Joint::four_parameter(400.0, 252660.0, -0.5, 1.0);
   const Levels exact = exact_levels(joint, {0.02, 1.4, 40, joint.macroslip_displacement()});
   for (const bool stated : {true, false}) {
@@ -401,7 +402,7 @@ TEST(Parametric, CriteriaPreferTheModelThatMadeTheLevels) {
       {four, kFourParameter}, {power, kPowerLaw}, {uniform, kUniform}};
   for (const auto& [joint, model] : truths) {
     const double reach = joint.density().largest_slip_force() / joint.stiffness();
-    for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    for (std::uint64_t seed = 0; seed < test::draws_of(5, 2); ++seed) {
       for (const bool stated : {true, false}) {
         const Levels levels =
             with_noise(exact_levels(joint, {0.02, 1.4, 30, reach}), 0.02, stated, seed);

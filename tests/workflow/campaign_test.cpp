@@ -18,6 +18,7 @@
 #include "microslip/workflow/campaign/campaign_conditions.hpp"
 #include "microslip/workflow/campaign/campaign_leave_out.hpp"
 #include "microslip/workflow/campaign/campaign_sessions.hpp"
+#include "support/effort.hpp"
 #include "support/messages.hpp"
 
 namespace microslip::campaign_test {
@@ -577,7 +578,7 @@ TEST(CampaignLeaveOneOut, NamesItAmongLevelsWithDeviations) {
 TEST(CampaignLeaveOneOut, KnowsTheNoiseOfAmplitudes) {
   constexpr double kAmplitudeNoise = 0.01;
   std::size_t named = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::draws_of(5, 2); ++seed) {
     const VirtualCampaign campaign = with_deviations(campaign_of(kFourTests, seed), kNoise);
     const std::vector<LeftOut> parts =
         left_out_of(with_amplitude_noise(campaign, kAmplitudeNoise, seed), LeaveOut::kTests);
@@ -589,7 +590,7 @@ TEST(CampaignLeaveOneOut, KnowsTheNoiseOfAmplitudes) {
 // Four tests of one joint. A false alarm has a chance of 5 % a test.
 TEST(CampaignLeaveOneOut, NamesNoneOfTestsThatAgree) {
   std::size_t named = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= test::draws_of(5, 2); ++seed) {
     const std::vector<LeftOut> parts = left_out_of(
         campaign_of({{.session = "1"}, {.session = "1"}, {.session = "1"}, {.session = "1"}}, seed),
         LeaveOut::kTests);
