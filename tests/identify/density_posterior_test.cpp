@@ -105,8 +105,8 @@ void measure(const VectorXd& x, RandomStream& random, PosteriorRows& rows) {
 }
 
 // Of the levels' own rows, penalty and limits. The prior of ln s is flat, and the truth has s = 1,
-// which matters to O(1/levels). In the studies alone: PosteriorChain.HasUniformRanks tests the chain
-// that draws.
+// which matters to O(1/levels). In the studies alone: PosteriorChain.HasUniformRanks tests the
+// chain that draws.
 TEST(DensityPosterior, HasUniformRanks) {
   MICROSLIP_STUDY();
   constexpr std::uint64_t kTruths = 1000;

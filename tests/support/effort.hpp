@@ -23,8 +23,8 @@ extern "C" void __asan_init() __attribute__((weak));
   } else /* NOLINT */                   \
     GTEST_SKIP() << "of the release build alone"
 
-/// Ends a test of a statistic that needs many draws, but in scripts/test_studies. It counts as
-/// skipped.
+/// Ends a test of a statistic that needs many draws, or one whose code another test runs in less
+/// time, but in scripts/test_studies. It counts as skipped.
 #define MICROSLIP_STUDY()                \
   if (::microslip::test::in_studies()) { \
   } else /* NOLINT */                    \
