@@ -52,11 +52,14 @@ Sandbox laboratory() {
 
 /// blow.csv: the free decay from 320 µm, as a hammer would leave it, with 20 mm/s² of noise.
 void record_blow(const Sandbox& box) {
-  expect_done(box,
-              {"march", "true.toml", "--release", "1:320um", "--duration", "4", "--sampling-rate",
-               "4096", "--no-error-estimate", "--out", "march.csv", "--quiet"});
-  RandomStream random(21, 1);
-  box.put("blow.csv", test::noisy_record(box.get("march.csv"), 0.02, random));
+  static const std::string blow = [&box] {  // the same in each
+    expect_done(box,
+                {"march", "true.toml", "--release", "1:320um", "--duration", "4", "--sampling-rate",
+                 "4096", "--no-error-estimate", "--out", "march.csv", "--quiet"});
+    RandomStream random(21, 1);
+    return test::noisy_record(box.get("march.csv"), 0.02, random);
+  }();
+  box.put("blow.csv", blow);
 }
 
 /// swept.csv: a sweep at 1 N, the peak at 230 µm, with noise.

@@ -364,7 +364,7 @@ TEST(Parametric, NoisyTruthAtABound) {
 TEST(Parametric, SaysThatAModelDoesNotFit) {
   const Joint joint = testing::reference_joint();
   const Levels exact = exact_levels(joint, {0.05, 1.0, 60, 3e-4});
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+  for (std::uint64_t seed = 0; seed < test::draws_of(10, 2); ++seed) {
     const Levels levels = with_noise(exact, 0.01, true, seed);
     for (const ParametricModel model : {kFourParameter, kPowerLaw, kUniform}) {
       const auto result = fit_parametric(levels, joint.stiffness(), model, {.starts = 3});
