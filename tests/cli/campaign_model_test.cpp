@@ -229,7 +229,8 @@ TEST(campaign_of_a_model, PredictsAModeFromTwoOthers) {
   EXPECT_FALSE(box.has("found/joint.json"));
   const std::vector<std::string> kinds = table(box, "comparison.csv").text("kind");
   EXPECT_EQ(std::ranges::count(kinds, "modal-levels"), static_cast<std::ptrdiff_t>(kinds.size()));
-  EXPECT_NE(box.get("found/sessions.csv").find("# repeatability = "), std::string::npos);
+  EXPECT_NE(box.get("found/sessions.csv").find("# repeatability_between_sessions = "),
+            std::string::npos);
   // Tests used for identification are distinguished from others.
   expect_done(box, {"report", "found", "--no-pictures", "--out", "report.html"});
   const std::string report = box.get("report.html");

@@ -97,7 +97,7 @@ TEST(ComparisonResults, CampaignsAreReadByTheirColumns) {
 TEST(ComparisonResults, CampaignsTellHowTestsRepeat) {
   CampaignFound found;
   add_sessions({"sessions.csv",
-                "# repeatability = 2 % from session to session\n"
+                "# repeatability_between_sessions = 0.02\n"
                 "session,tests [1],levels [1],frequency_difference [1],"
                 "frequency_difference_std [1],frequency_offset [1],"
                 "frequency_offset_std [1],frequency_scatter [1],"

@@ -136,7 +136,7 @@ Levels RigTests::levels(std::size_t levels, double noise, std::size_t sensors,
     }
   }
   if (reduced.empty()) {
-    throw InputError("levels", "none", "must remain where noise hides the dissipation");
+    throw InputError("levels", "none", "must include one whose dissipation is above noise");
   }
   return measured_levels(reduced).levels;
 }

@@ -27,7 +27,8 @@ namespace microslip {
 /// Whether a file of these first bytes is such a table in CSV.
 [[nodiscard]] bool is_stepped_sine_table(std::string_view head);
 
-/// The sweep of a table in CSV. @param name  of its file, for messages.
+/// Parses a table in CSV.
+/// @param text  all of it. @param name  of its file, for messages.
 /// @throws FormatError, InputError  as read_stepped_sines().
 [[nodiscard]] SteppedSine parse_stepped_sine(std::string text, const std::string& name);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/documents/levels/test_file.hpp"
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string_view>
@@ -31,31 +30,26 @@ bool is_table(TestContent content) {
          content == TestContent::kSteppedSine;
 }
 
-/// What is left of a file, with its digest. @param kept  gets all of it where it is not null.
-std::string digest_of_rest(InputStream& file, std::string* kept) {
-  std::array<char, std::size_t{1} << 16U> block;
-  Sha256 digest;
-  while (const std::size_t size = file.read(block.data(), block.size())) {
-    const std::string_view bytes(block.data(), size);
-    digest.update(bytes);
-    if (kept != nullptr) kept->append(bytes);
-  }
-  return digest.finish();
+/// Whether it can be read only once, or has no end. What does not exist is reported by its reader.
+bool is_no_file(const std::string& path) {
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+         !std::filesystem::is_directory(status);
 }
 
 }  // namespace
 
 TestFile open_test(const std::string& path) {
   TestFile test{.path = path, .part = part_of_file(path)};
-  std::error_code ignored;  // what is not there is no pipe, and says so where it is opened
-  test.once = std::filesystem::is_fifo(test.part.file, ignored);
+  test.once = is_no_file(test.part.file);
   if (test.once) return test;
   InputStream file(test.part.file);
   test.once = test.part.file == "-";
   if (test.once && !file.rewind()) return test;
   if (!test.part.variable.empty()) {
     if (is_stepped_sine(path)) test.content = TestContent::kSteppedSine;
-    test.sha256 = digest_of_rest(file, nullptr);
+    test.sha256 = sha256_of_rest(file);
     return test;
   }
   test.text = peek_kind_head(file);
@@ -64,17 +58,23 @@ TestFile open_test(const std::string& path) {
   if (test.once) {
     test.text.clear();
     file.rewind();
-    return test;
+  } else if (is_table(test.content)) {
+    test.text = read_rest(file);
+    test.sha256 = sha256(test.text);
+  } else if (test.content == TestContent::kRecording) {
+    test.format = find_recording_format_of(test.text);
+    if (test.format) test.sha256 = sha256_of_rest(file);
   }
-  if (test.content == TestContent::kRecording) test.format = find_recording_format_of(test.text);
-  const bool whole = is_table(test.content);
-  if (whole) test.text.clear();
-  test.sha256 = digest_of_rest(file, whole ? &test.text : nullptr);
   return test;
 }
 
 std::string text_of(const TestFile& file) {
   return file.once || !is_table(file.content) ? read_file(file.part.file) : file.text;
+}
+
+Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options) {
+  if (!file.format) return read_recordings(file.path, options);
+  return read_recordings(file.part.file, *file.format, options);
 }
 
 std::vector<SteppedSine> read_stepped_sines(const TestFile& file) {

@@ -8,6 +8,7 @@
 
 #include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/io/recordings/recording_format.hpp"
+#include "microslip/io/recordings/recordings.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
 
 /// @file
@@ -32,12 +33,13 @@ struct TestFile {
   std::string kind = {};                          ///< file_kind() of the file; empty of a variable
   std::optional<RecordingFormat> format = {};     ///< of a recording that is a file of its own
   std::string text = {};    ///< all of a table that is no recording; of others the first bytes
-  std::string sha256 = {};  ///< of the whole file; empty where it can be read only once
-  bool once = false;        ///< a pipe or standard input, of which nothing was taken
+  std::string sha256 = {};  ///< of the whole file; empty where nobody can read it, or only once
+  bool once = false;        ///< a pipe, device or standard input, of which nothing was taken
 };
 
 /// Opens a file, recognises it, hashes it and, of a table of levels or of stepped sines, reads it.
-/// Of standard input that is a file the kind alone is found; a pipe counts as a recording.
+/// Of standard input that is a file the kind alone is found; a pipe or a device counts as a
+/// recording. A variable of a MATLAB file is looked up by a reader that opens the file itself.
 /// @param path  a file, `FILE:VARIABLE` of a MATLAB file, or "-".
 /// @throws FileError  where it does not exist, is a folder or may not be read.
 [[nodiscard]] TestFile open_test(const std::string& path);
@@ -45,6 +47,10 @@ struct TestFile {
 /// The text of a table.
 /// @throws FileError  where it was not read by open_test() and cannot be read.
 [[nodiscard]] std::string text_of(const TestFile& file);
+
+/// Reads the recordings of a file whose content is kRecording.
+/// @throws FileError, FormatError, InputError, Cancelled  as read_recordings() of its path.
+[[nodiscard]] Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options);
 
 /// The sweeps of a file whose content is kSteppedSine.
 /// @throws FileError, FormatError, InputError  as read_stepped_sines().

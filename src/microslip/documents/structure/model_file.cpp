@@ -100,7 +100,7 @@ std::vector<ModalBase> read_bases(const TomlTable& structure, std::size_t modes,
     }
     if (std::ranges::all_of(base.participation, is_zero)) {
       throw InputError(table.name("participation"), "0 in all modes",
-                       "must not be 0 in at least one mode");
+                       "must be other than 0 in at least one mode");
     }
   }
   return bases;

@@ -18,7 +18,7 @@
 
 /// @file
 /// Tables that model.toml and STRUCTURE.toml have in common: joints and their origin, excitations
-/// and measured points. Internal to io.
+/// and measured points. Internal to documents.
 
 namespace microslip {
 

@@ -11,7 +11,7 @@
 #include "microslip/structure/meshed_structure.hpp"
 
 /// @file
-/// Places and directions of a STRUCTURE.toml. Internal to io.
+/// Places and directions of a STRUCTURE.toml. Internal to documents.
 
 namespace microslip {
 

@@ -8,7 +8,7 @@
 #include "microslip/io/config/toml_input.hpp"
 
 /// @file
-/// The table [test] of a STRUCTURE.toml. Internal to io.
+/// The table [test] of a STRUCTURE.toml. Internal to documents.
 
 namespace microslip {
 

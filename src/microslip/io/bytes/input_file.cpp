@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
+#include "microslip/io/bytes/sha256.hpp"
 
 namespace microslip {
 namespace {
@@ -35,12 +37,28 @@ std::string read_all(InputStream& file, std::size_t limit) {
 
 std::string read_file(const std::string& path, std::size_t limit) {
   InputStream file(path);
+  return read_rest(file, limit);
+}
+
+std::string read_rest(InputStream& file, std::size_t limit) {
   if (file.size().value_or(0) > limit) fail_too_large(file.name(), limit);
   try {
     return read_all(file, limit);
   } catch (const std::bad_alloc&) {
     throw FileError(file.name(), "does not fit into memory");
   }
+}
+
+std::string sha256_of_rest(InputStream& file) {
+  std::array<char, std::size_t{1} << 16U> block;
+  Sha256 digest;
+  std::size_t done = 0;
+  while (const std::size_t size = file.read(block.data(), block.size())) {
+    digest.update({block.data(), size});
+    done += size;
+    if (done > kLargestFile) fail_too_large(file.name(), kLargestFile);
+  }
+  return digest.finish();
 }
 
 std::string read_file_head(const std::string& path, std::size_t size) {

@@ -17,6 +17,15 @@ inline constexpr std::size_t kLargestFile = std::size_t{16} << 30U;
 /// @throws FileError  where it does not exist, is a folder, may not be read or is too large.
 [[nodiscard]] std::string read_file(const std::string& path, std::size_t limit = kLargestFile);
 
+class InputStream;
+
+/// Reads what is left of a stream. @throws FileError  as read_file().
+[[nodiscard]] std::string read_rest(InputStream& file, std::size_t limit = kLargestFile);
+
+/// Returns the SHA-256 of what is left of a stream, without keeping it.
+/// @throws FileError  where the system reports a failure, or it is larger than kLargestFile.
+[[nodiscard]] std::string sha256_of_rest(InputStream& file);
+
 /// The first bytes of a file, at most `size` of them. @throws FileError  as read_file().
 [[nodiscard]] std::string read_file_head(const std::string& path, std::size_t size);
 

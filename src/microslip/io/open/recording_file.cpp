@@ -117,14 +117,6 @@ Recordings read_format(InputStream& file, const PartOfFile& part,
   return read_by_path(part, format, options);
 }
 
-Recordings read_any(const PartOfFile& part, const RecordingReadOptions& options) {
-  if (options.format && *options.format != RecordingFormat::kCsv) {
-    return read_by_path(part, *options.format, options);
-  }
-  InputStream file(part.file);
-  return read_format(file, part, options);
-}
-
 void write_csv(OutputFiles& files, const std::string& path, std::span<const Recording> recordings) {
   if (recordings.size() != 1) {
     throw InputError(path, fmt::format("{} recordings", recordings.size()),
@@ -206,7 +198,17 @@ std::string_view recording_kind(RecordingFormat format) {
 }
 
 Recordings read_recordings(const std::string& path, const RecordingReadOptions& options) {
-  Recordings result = read_any(part_of_file(path), options);
+  const PartOfFile part = part_of_file(path);
+  InputStream file(part.file);
+  Recordings result = read_format(file, part, options);
+  finish_units(options.assumed_units, result);
+  return result;
+}
+
+Recordings read_recordings(const std::string& file, RecordingFormat format,
+                           const RecordingReadOptions& options) {
+  if (format == RecordingFormat::kCsv) return read_recordings(file, options);
+  Recordings result = read_by_path({file, ""}, format, options);
   finish_units(options.assumed_units, result);
   return result;
 }

@@ -51,6 +51,11 @@ namespace microslip {
 [[nodiscard]] Recordings read_recordings(const std::string& path,
                                          const RecordingReadOptions& options);
 
+/// As above, of a file, not standard input, that was found to have a format by
+/// find_recording_format_of(): it is opened once.
+[[nodiscard]] Recordings read_recordings(const std::string& file, RecordingFormat format,
+                                         const RecordingReadOptions& options);
+
 /// Gives channels without unit those that are assumed, and warns of what no structure survives
 /// (base/plausibility.hpp): half the range of a displacement, velocity or acceleration.
 /// @throws InputError  as assume_units().

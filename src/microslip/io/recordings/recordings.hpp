@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
-#include "microslip/io/recordings/recording_format.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
 namespace microslip {
@@ -28,8 +26,6 @@ struct RecordingReadOptions {
   /// For what the file gives no unit. read_recordings() gives them to the channels, whatever the
   /// format; a reader of one format uses them for the axis alone.
   AssumedUnits assumed_units = {};
-  /// Of the file, where it is known that it holds recordings; nothing: by its content.
-  std::optional<RecordingFormat> format = {};
 };
 
 }  // namespace microslip

@@ -68,8 +68,8 @@ std::string widen_deviations(double scatter, ModalLevels& levels) {
   }
   if (!widened) return {};
   return fmt::format(
-      "its losses are assumed to scatter by {:.3g} times their standard deviations, as in the "
-      "identified levels",
+      "its losses are assumed to scatter by {:.3g} times their standard deviations, as those "
+      "of the levels used for identification",
       scatter);
 }
 
@@ -90,8 +90,8 @@ std::string assume_scatter(const FoundAtLevels& found, ReadTest& test) {
   }
   if (!assumed) return {};
   return fmt::format(
-      "its losses have no standard deviation and are assumed to scatter by {:.2g} %, as in the "
-      "identified levels",
+      "its losses have no standard deviation and are assumed to scatter by {:.2g} %, as those "
+      "of the levels used for identification",
       100.0 * scatter);
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/workflow/campaign/campaign_opening.hpp"
 #include "microslip/workflow/campaign/campaign_result.hpp"
 #include "microslip/workflow/campaign/campaign_run.hpp"
 #include "microslip/workflow/identify/calibration.hpp"
@@ -13,11 +14,6 @@
 /// which of the data contradict which.
 
 namespace microslip {
-
-/// Reads campaign.toml and the structure, opens the tests, and checks that they go together.
-/// @throws FileError, FormatError, InputError  as parse_campaign(); for standard input; where a
-///     test or the structure is no file of its kind.
-[[nodiscard]] OpenedCampaign open_campaign(const CampaignRun& run);
 
 /// The paths and kinds of the files that will be written, before anything is computed:
 /// NAME_levels.csv of each test that is reduced, levels.csv, joint.json, model.toml, campaign.csv,
@@ -39,7 +35,7 @@ namespace microslip {
 ///
 /// Of a model, levels of modes that are predicted and have no standard deviation of D or of ζ are
 /// assumed to scatter as D of the levels to identify from does; where these scatter more than their
-/// standard deviations say, those of predicted levels count so much more. The comparison says so.
+/// standard deviations, those of predicted levels count so much more. The comparison states it.
 ///
 /// A predicted test of a session with levels has the model of that session, whose frequency is off
 /// by its offset δ; σ of the frequency is frequency_std of the plan or, where that is not given,

@@ -11,10 +11,9 @@
 
 #include "microslip/base/gather.hpp"
 #include "microslip/documents/levels/modal_levels_file.hpp"
-#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/input_name.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
-#include "microslip/io/open/recording_file.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/workflow/campaign/campaign_test_kinds.hpp"

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -214,6 +215,19 @@ std::string left_out_verdict(const LeftOutRow& row) {
   return beyond ? "beyond" : verdict_of(row.part->curve, row.i);
 }
 
+void add_repeatability(std::string_view key, const std::optional<double>& deviation,
+                       CsvWriter& table) {
+  if (deviation) table.add_comment(comment_entry(key, "", fmt::format("{}", *deviation)));
+}
+
+void add_trend(const TrendKeys& keys, const std::string& condition, const ConditionMean& trend,
+               CsvWriter& table) {
+  if (!std::isfinite(trend.mean)) return;
+  const std::string subject = printable(condition);
+  table.add_comment(comment_entry(keys.mean, subject, fmt::format("{}", trend.mean)));
+  table.add_comment(comment_entry(keys.sigma, subject, fmt::format("{}", trend.sigma)));
+}
+
 }  // namespace
 
 std::string campaign_table(const DoneCampaign& done, const std::string& comment) {
@@ -257,10 +271,8 @@ std::string sessions_table(const DoneCampaign& done, const std::string& comment)
   const std::vector<SessionEffect>& sessions = done.sessions.sessions;
   CsvWriter table;
   table.add_comment(comment);
-  const std::string repeats = repeatability_text(done.sessions);
-  if (!repeats.empty()) {
-    table.add_comment(comment_entry(kRepeatabilityKey, "", repeats));
-  }
+  add_repeatability(kWithinSessionsKey, done.sessions.within_sessions, table);
+  add_repeatability(kBetweenSessionsKey, done.sessions.between_sessions, table);
   std::vector<std::string> names;
   for (const SessionEffect& session : sessions) names.push_back(session.name);
   table.add_text("session", names);
@@ -291,11 +303,10 @@ std::string conditions_table(const DoneCampaign& done, const std::string& commen
   CsvWriter table;
   table.add_comment(comment);
   for (const ConditionEffect& effect : done.conditions) {
-    const std::string trend = trend_text(effect);
-    if (!trend.empty()) table.add_comment(comment_entry(kTrendKey, printable(effect.name), trend));
+    add_trend(kDissipationTrend, effect.name, effect.dissipation_trend, table);
+    add_trend(kFrequencyTrend, effect.name, effect.frequency_trend, table);
     if (!effect.common_modes) {
-      table.add_comment(comment_entry(kNoCommonModesKey, printable(effect.name),
-                                      "its values have no mode in common"));
+      table.add_comment(comment_entry(kCommonModesKey, printable(effect.name), "no"));
     }
     for (const ConditionGroup& group : effect.groups) rows.push_back({effect.name, &group});
   }

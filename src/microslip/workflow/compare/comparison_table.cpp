@@ -47,8 +47,8 @@ std::string axis_of(const ComparedCurve& curve) {
 std::string inside_comment(const ComparedTest& test, const ComparedCurve& curve) {
   if (!curve.has_band() || curve.compared() == 0) return "";
   const std::string subject = curve_subject(test, curve);
-  return '\n' + comment_entry("inside", subject, fmt::format("{}", curve.inside())) + '\n' +
-         comment_entry("compared", subject, fmt::format("{}", curve.compared())) + '\n' +
+  return '\n' + comment_entry(kInsideKey, subject, fmt::format("{}", curve.inside())) + '\n' +
+         comment_entry(kComparedKey, subject, fmt::format("{}", curve.compared())) + '\n' +
          comment_entry(kPValueKey, subject, fmt::format("{:.3g}", curve.chance));
 }
 
@@ -236,7 +236,7 @@ class ComparisonReader {
 }  // namespace
 
 std::string curve_subject(const ComparedTest& test, const ComparedCurve& curve) {
-  return fmt::format("{}: {}", test.source, shown_name(curve));
+  return fmt::format("{}: {}", test.source, curve.quantity);
 }
 
 std::vector<ComparedTest> compared_tests(const CsvTable& table) {

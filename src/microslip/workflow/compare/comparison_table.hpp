@@ -16,9 +16,12 @@ class CsvTable;
 
 // Keys of comments, see comment_entry.hpp.
 inline constexpr std::string_view kConfidenceKey = "confidence";  ///< of the bands, 1
-inline constexpr std::string_view kPValueKey = "p_value";         ///< of a curve_subject(), 1
+// Of a curve_subject().
+inline constexpr std::string_view kInsideKey = "inside";      ///< its values in the band
+inline constexpr std::string_view kComparedKey = "compared";  ///< of how many values
+inline constexpr std::string_view kPValueKey = "p_value";     ///< p-value of that, 1
 
-/// Returns what entries of comments call a curve: "SOURCE: QUANTITY".
+/// Returns the subject of the entries of a curve: "SOURCE: QUANTITY", as the columns have them.
 [[nodiscard]] std::string curve_subject(const ComparedTest& test, const ComparedCurve& curve);
 
 /// Text of the table, one row per value: `source, kind, part, quantity, unit, axis, at, measured,

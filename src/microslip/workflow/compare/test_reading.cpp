@@ -4,22 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/documents/levels/modal_levels_file.hpp"
 #include "microslip/documents/levels/stepped_sine_file.hpp"
-#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/input_name.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
-#include "microslip/io/open/recording_file.hpp"
 #include "microslip/workflow/compare/modal_levels_comparison.hpp"
 #include "microslip/workflow/reduce/modal_decay.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
-#include "microslip/workflow/reduce/recordings_provenance.hpp"
 
 namespace microslip {
 namespace {

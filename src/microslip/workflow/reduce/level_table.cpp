@@ -104,8 +104,10 @@ void check_assembly_column(const LevelsFile& file, AssemblyColumn use) {
   const std::string name = fmt::format("{}: column assembly", printable(file.file));
   const std::string found = fmt::format("{} names", names.size());
   if (use == AssemblyColumn::kRefused) {
-    throw InputError(name, found, "must be one: levels of one joint are needed",
-                     "Keep the rows of one assembly, or remove the column to treat all as joint.");
+    throw InputError(
+        name, found, "must be one: levels of one joint are needed",
+        "Keep the rows of one assembly, or remove the column to treat all levels as of one "
+        "joint.");
   }
   throw InputError(
       name, found, "are ambiguous: different assemblies, or levels of one joint",

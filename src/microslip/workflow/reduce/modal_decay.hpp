@@ -71,7 +71,7 @@ struct ReducedModalDecay {
 /// The same with a model that need not be a file; `options.model` is its name in messages.
 [[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options,
                                                    const ModelFile& model);
-/// As above, of a recording that was read before. @param file  all that its file holds.
+/// As above, of a recording whose file was read before.
 [[nodiscard]] ReducedModalDecay reduce_modal_decay(const ModalDecayReduction& options,
                                                    const ModelFile& model, const Recordings& file);
 

@@ -71,6 +71,7 @@ std::vector<ModalLevel> writable_modal_levels(const std::vector<ModalLevel>& lev
 
 ReducedModalLevels reduce_modal_levels(const ModalLevelsReduction& options) {
   check_distinct_files(options.recordings);
+  check_opened(options.opened, options.recordings);
   constexpr std::size_t kLargestModel = std::size_t{16} << 20U;
   NamedInput input = options.model_input
                          ? *options.model_input

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "microslip/io/bytes/input_file.hpp"
-#include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/open/recording_file.hpp"
 
 namespace microslip {
@@ -29,12 +29,6 @@ std::vector<Recording> read_named_recordings(const TestFile& file,
   return named_recordings(std::move(found.recordings), file.path);
 }
 
-Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options) {
-  RecordingReadOptions known = options;
-  known.format = file.format;
-  return read_recordings(file.path, known);
-}
-
 std::vector<Recording> named_recordings(std::vector<Recording> recordings,
                                         const std::string& path) {
   const bool several = recordings.size() > 1;
@@ -45,8 +39,15 @@ std::vector<Recording> named_recordings(std::vector<Recording> recordings,
   return recordings;
 }
 
+void check_opened(const std::vector<TestFile>& opened, const std::vector<std::string>& paths) {
+  if (opened.empty() || std::ranges::equal(opened, paths, {}, &TestFile::path)) return;
+  throw InputError("opened", fmt::format("{} files", opened.size()),
+                   fmt::format("must be those of the {} recordings, in their order", paths.size()));
+}
+
 std::string recording_sha256(const std::string& path) {
-  return sha256(read_file(part_of_file(path).file));
+  InputStream file(part_of_file(path).file);
+  return sha256_of_rest(file);
 }
 
 std::vector<Warning> joined_warnings(const std::vector<std::vector<Warning>>& warnings) {

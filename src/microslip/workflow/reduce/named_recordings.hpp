@@ -27,12 +27,13 @@ namespace microslip {
                                                            const RecordingReadOptions& options,
                                                            std::vector<Warning>& warnings);
 
-/// Reads the recordings of a file that was opened before. @throws Error  as read_recordings().
-[[nodiscard]] Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options);
-
 /// The recordings of a file, named as read_named_recordings() does. @param path  of the file.
 [[nodiscard]] std::vector<Recording> named_recordings(std::vector<Recording> recordings,
                                                       const std::string& path);
+
+/// Checks that files which were opened before are those of the paths.
+/// @throws InputError  where there are some, but not one for each path.
+void check_opened(const std::vector<TestFile>& opened, const std::vector<std::string>& paths);
 
 /// SHA-256 of the whole file that a recording is of, or a part of.
 /// @param path  no "-". @throws FileError  where it cannot be read.

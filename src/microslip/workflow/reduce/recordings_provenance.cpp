@@ -5,9 +5,8 @@
 
 #include <cstddef>
 
+#include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/io/bytes/sha256.hpp"
-#include "microslip/io/open/recording_file.hpp"
-#include "microslip/workflow/reduce/named_recordings.hpp"
 
 namespace microslip {
 namespace {
@@ -30,10 +29,6 @@ std::string short_call(const std::string& line, const std::vector<std::string>& 
 }
 
 }  // namespace
-
-std::string digest_of(const std::string& path) {
-  return path == "-" ? std::string() : recording_sha256(path);
-}
 
 std::string recordings_provenance(const std::string& command, const NamedInput& test,
                                   const std::vector<std::string>& recordings,

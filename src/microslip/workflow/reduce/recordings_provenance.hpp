@@ -11,9 +11,6 @@
 
 namespace microslip {
 
-/// SHA-256 of a recording that was read; of standard input, which cannot be read again, nothing.
-[[nodiscard]] std::string digest_of(const std::string& path);
-
 /// Version, call, and digests of what was read. That of many recordings is what
 /// `sha256sum RECORDINGS | sha256sum` says.
 /// @param test        what describes it: rig.toml.

@@ -11,9 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/documents/levels/reduction_file.hpp"
-#include "microslip/documents/levels/stepped_sine_file.hpp"
 #include "microslip/io/bytes/input_file.hpp"
-#include "microslip/io/open/recording_file.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
 #include "microslip/workflow/reduce/recordings_provenance.hpp"
@@ -32,15 +30,35 @@ namespace {
                    "Reduce the two kinds one after the other.");
 }
 
-/// Recording i, opened now where it was not before.
-TestFile opened(const RecordingsReduction& options, std::size_t i) {
-  return options.opened.empty() ? open_test(options.recordings[i]) : options.opened[i];
-}
+/// The recordings, each opened when it is asked for, unless it was before.
+class OpenedRecordings {
+ public:
+  explicit OpenedRecordings(const RecordingsReduction& options) : options_(options) {
+    check_opened(options.opened, options.recordings);
+  }
 
-bool are_tables(const RecordingsReduction& options) {
-  if (!options.opened.empty()) return options.opened.front().content == TestContent::kSteppedSine;
-  return is_stepped_sine(options.recordings.front());  // what cannot be opened may be left out
-}
+  /// Whether the first is a table of stepped sines. A file that cannot be opened may be left out:
+  /// at() tells.
+  bool begin_with_table() {
+    if (options_.opened.empty()) {
+      try {
+        first_ = open_test(options_.recordings.front());
+      } catch (const Error&) {
+        return false;
+      }
+    }
+    return at(0).content == TestContent::kSteppedSine;
+  }
+
+  [[nodiscard]] TestFile at(std::size_t i) const {
+    if (!options_.opened.empty()) return options_.opened[i];
+    return i == 0 && first_ ? *first_ : open_test(options_.recordings[i]);
+  }
+
+ private:
+  const RecordingsReduction& options_;
+  std::optional<TestFile> first_;
+};
 
 std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const TestFile& file) {
   if (file.content != TestContent::kSteppedSine) {
@@ -54,11 +72,11 @@ std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const TestFile& f
 }
 
 ReductionBatch reduce_tables(const Reducer& reducer, const RecordingsReduction& options,
-                             std::vector<std::string>& digests) {
+                             const OpenedRecordings& files, std::vector<std::string>& digests) {
   ReductionBatch batch;
   for (std::size_t i = 0; i < options.recordings.size(); ++i) {
     try {
-      const TestFile file = opened(options, i);
+      const TestFile file = files.at(i);
       std::ranges::move(reduce_table(reducer, file), std::back_inserter(batch.levels));
       digests[i] = file.sha256;
     } catch (const Error& error) {
@@ -70,10 +88,10 @@ ReductionBatch reduce_tables(const Reducer& reducer, const RecordingsReduction& 
 }
 
 ReductionBatch reduce_records(const Reducer& reducer, const RecordingsReduction& options,
-                              std::vector<std::string>& digests,
+                              const OpenedRecordings& files, std::vector<std::string>& digests,
                               std::vector<std::vector<Warning>>& warnings) {
   const auto read = [&](std::size_t i) {
-    const TestFile file = opened(options, i);
+    const TestFile file = files.at(i);
     if (file.content == TestContent::kSteppedSine) {
       throw_mixed(file.path, "a stepped-sine table", "a record in time");
     }
@@ -122,9 +140,11 @@ ReducedRecordings reduce_recordings(const RecordingsReduction& options) {
   ReducedRecordings reduced{std::move(input), options.recordings, std::move(reducer), {}, {}, {}};
   reduced.digests.resize(count);
   reduced.warnings.resize(count);
-  reduced.batch = are_tables(options)
-                      ? reduce_tables(reduced.reducer, options, reduced.digests)
-                      : reduce_records(reduced.reducer, options, reduced.digests, reduced.warnings);
+  OpenedRecordings files(options);
+  reduced.batch =
+      files.begin_with_table()
+          ? reduce_tables(reduced.reducer, options, files, reduced.digests)
+          : reduce_records(reduced.reducer, options, files, reduced.digests, reduced.warnings);
   return reduced;
 }
 

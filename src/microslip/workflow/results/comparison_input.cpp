@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -96,6 +97,13 @@ void put_means(const CsvTable& table, const std::string& name, std::vector<Condi
   }
 }
 
+ConditionMean trend_in(const CsvTable& table, const TrendKeys& keys, const std::string& condition) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::string subject = printable(condition);
+  return {find_number_entry(table.comments(), keys.mean, subject).value_or(kNone),
+          find_number_entry(table.comments(), keys.sigma, subject).value_or(kNone)};
+}
+
 }  // namespace
 
 ComparisonFound comparison_of(const NamedInput& input) {
@@ -163,7 +171,10 @@ void add_sessions(const NamedInput& input, CampaignFound& found) {
   put_numbers(table, "dissipation_offset", sessions, &SessionEffect::dissipation_offset);
   put_numbers(table, "dissipation_scatter", sessions, &SessionEffect::dissipation_scatter);
   found.sessions = std::move(sessions);
-  found.repeatability = find_entry(table.comments(), kRepeatabilityKey).value_or("");
+  SessionEffects effects;
+  effects.within_sessions = find_number_entry(table.comments(), kWithinSessionsKey);
+  effects.between_sessions = find_number_entry(table.comments(), kBetweenSessionsKey);
+  found.repeatability = repeatability_text(effects);
 }
 
 void add_conditions(const NamedInput& input, CampaignFound& found) {
@@ -180,16 +191,17 @@ void add_conditions(const NamedInput& input, CampaignFound& found) {
   const std::vector<std::string> names = table.text("condition");
   for (std::size_t row = 0; row < names.size(); ++row) {
     if (found.conditions.empty() || found.conditions.back().effect.name != names[row]) {
-      found.conditions.push_back(
-          {{.name = names[row]},
-           find_entry(table.comments(), kTrendKey, printable(names[row])).value_or("")});
+      ConditionEffect effect{.name = names[row]};
+      effect.dissipation_trend = trend_in(table, kDissipationTrend, names[row]);
+      effect.frequency_trend = trend_in(table, kFrequencyTrend, names[row]);
+      found.conditions.push_back({effect, trend_text(effect)});
     }
     found.conditions.back().effect.groups.push_back(std::move(groups[row]));
   }
   for (ConditionFound& condition : found.conditions) {
     condition.effect.overlap = amplitudes_overlap(condition.effect.groups);
     condition.effect.common_modes =
-        !find_entry(table.comments(), kNoCommonModesKey, printable(condition.effect.name));
+        find_entry(table.comments(), kCommonModesKey, printable(condition.effect.name)) != "no";
   }
 }
 

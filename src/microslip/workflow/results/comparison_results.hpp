@@ -61,7 +61,7 @@ struct LeftOutEntry {
 
 /// A condition of conditions.csv.
 struct ConditionFound {
-  ConditionEffect effect = {};  ///< without its trends, whose numbers are not kept
+  ConditionEffect effect = {};  ///< with its trends
   std::string trend = {};       ///< in words, as trend_text(); empty without one
 };
 
