@@ -79,7 +79,7 @@ const bytes = tools.checkSize(found);
 const {page, faults} = await tools.open(browser, found, {viewport: {width: 1300, height: 900}});
 await tools.checkEveryFigure(page);
 const reach = await page.locator('dt:text-is("predictions against tests") + dd').textContent();
-assert.match(reach, /^\d+ of \d+ values of 2 tests inside of their bands/);
+assert.match(reach, /^\d+ of \d+ values of 2 tests inside their bands/);
 assert.match(reach, /Against it: .*few_inside/);
 assert.doesNotMatch(await page.locator('body').textContent(), /compared with no record|no verification\.csv/);
 const row = (table, text) => page.locator('.table-block', {hasText: table}).locator('tbody tr', {hasText: text});

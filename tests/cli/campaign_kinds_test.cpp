@@ -342,10 +342,10 @@ TEST(campaignKinds, SaysWhatATorqueDoes) {
   EXPECT_NEAR(offset[2] - offset[1], std::log(1.05), 0.006);
   EXPECT_NEAR(sigma[1], 0.005 / std::sqrt(24.0), 0.002);
   const std::string text = box.get("found/campaign.csv");
-  EXPECT_NE(text.find("# warning: conditions_pooled: tests of torque_Nm = 20, 25"),
+  EXPECT_NE(text.find("# warning: conditions_pooled: tests at torque_Nm = 20, 25"),
             std::string::npos);
   EXPECT_NE(text.find("identify them separately"), std::string::npos);
-  EXPECT_EQ(text.find("tests of order"), std::string::npos);  // all of one value
+  EXPECT_EQ(text.find("tests at order"), std::string::npos);  // all of one value
   EXPECT_NE(text.find("# warning: condition_not_identified: swept is predicted at torque_Nm = 30"),
             std::string::npos);
 }

@@ -19,6 +19,9 @@ TEST(SummaryText, EachKindOnceWithTheFirstThatHasIt) {
 
 TEST(SummaryText, LinesBreakBetweenWords) {
   EXPECT_EQ(wrapped("  a: ", "bb cc", 2, 7), "  a: bb\n  cc\n");
+  // An option would not be found by its name where a line breaks in it.
+  EXPECT_EQ(wrapped("  a: ", "bb `c d` e", 2, 11), "  a: bb\n  `c d` e\n");
+  EXPECT_EQ(wrapped("  a: ", "b` c", 2, 7), "  a: b`\n  c\n") << "no pair";
   EXPECT_EQ(shortened("x/abcdef.csv", 6), "~f.csv");
   EXPECT_EQ(counted(1, "level") + ", " + counted(0, "peak"), "1 level, 0 peaks");
 }

@@ -12,12 +12,27 @@ std::string line(std::string_view name, std::string_view text) {
   return fmt::format("  {:<20} {}\n", name, text);
 }
 
+namespace {
+
+/// The end of the first word; what stands between backticks, as an option and its value, is one.
+std::size_t word_end(std::string_view text) {
+  std::size_t end = text.find(' ');
+  const std::size_t open = text.find('`');
+  if (open < end) {
+    const std::size_t close = text.find('`', open + 1);
+    if (close != std::string_view::npos) end = text.find(' ', close);
+  }
+  return std::min(end, text.size());
+}
+
+}  // namespace
+
 std::string wrapped(std::string_view first, std::string_view text, std::size_t indent,
                     std::size_t width) {
   std::string result(first);
   std::size_t column = first.size();
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::size_t end = word_end(text);
     if (column + end > width && column > indent) {
       result.pop_back();  // the blank before the break
       result += "\n" + std::string(indent, ' ');
