@@ -206,7 +206,7 @@ TEST(backbone, RefusesARigidBody) {
           "damping_ratio = [0.01]\n[[structure.point]]\nname = \"tip\"\nshape = [1, 1]\n"
           "[excitation]\npoint = \"tip\"\n");
   expect_refused(box, backbone({"--response", "1um:2um:2"}),
-                 {"--mode = 1; must be an elastic mode", "rigid-body", "higher mode"});
+                 {"--mode = 1; must be elastic", "rigid-body", "higher mode"});
   expect_done(box, backbone({"--response", "1um:2um:2", "--mode", "2"}));
 }
 

@@ -146,7 +146,7 @@ std::map<std::string, std::string> documented_files() {
 std::vector<std::string> documented_columns(const std::string& section) {
   const std::string page = test::get(MICROSLIP_EXAMPLES "/../docs/file_formats.md");
   const std::string text = page.substr(page.find("\n" + section));
-  const std::size_t begin = text.find("Needed:");
+  const std::size_t begin = text.find("Required:");
   const std::string sentence = text.substr(begin, text.find("\n\n", begin) - begin);
   static const std::regex column("`([A-Za-z_ ]+) \\[[^\\]]+\\]`");
   std::vector<std::string> result;

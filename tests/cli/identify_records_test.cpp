@@ -88,7 +88,7 @@ TEST(identify_records, ChoosesChannels) {
   expect_refused(box, with(kIdentify, {"--force", "f3", "--displacement", "u1"}),
                  {"f3", "missing"});
   expect_refused(box, with(kIdentify, {"--force", "f1", "--displacement", "u1"}),
-                 {"record.csv", "force", "change"});
+                 {"record.csv", "force", "must vary"});
   expect_done(box, with(kIdentify, {"--force", "f2", "--displacement", "u1"}));
 }
 
@@ -158,7 +158,7 @@ TEST(identify_records, TakesSeveralTablesOfLevels) {
   EXPECT_NE(done.out.find("tables of levels"), std::string::npos) << done.out;
   expect_refused(box, with(both, {"--stiffness", "1.7e5", "--force", "f"}), {"--force", "records"});
   expect_refused(box, with(both, {"--stiffness", "1.7e5", "--fit", "uniform"}),
-                 {"--fit", "one table"});
+                 {"--fit", "single table"});
   box.put("more.csv", "amplitude [m],dissipation [J]\n1e-4,-1\n");
   expect_refused(box, with(both, {"--stiffness", "1.7e5"}), {"more.csv", "dissipation"});
 }

@@ -193,7 +193,7 @@ TEST(march, RefusesBadForces) {
   refused("time [s],force [N]\n0,1\n1,nan\n", {"force.csv:3:3", "nan"});
   refused("time [s],push [N]\n0,1\n1,1\n", {"force.csv", "'force [N]' or 'force at POINT [N]'"});
   refused("time [s],force at mas [N]\n0,1\n1,1\n",
-          {"a point of the model, 'mass'", "to be 'mass'"});
+          {"a point of the model, 'mass'", "of the model, 'mass'"});
   refused("time [s],force [N],force at mass [N]\n0,1,1\n1,1,1\n", {"one column for 'mass'"});
   refused("time [s],force [N],normal_load [1]\n0,1,1\n1,1,-1\n",
           {"force.csv:3:5", "a number of 0 or more"});

@@ -44,7 +44,7 @@ TEST(Output, WhereNothingCanBeWritten) {
     expect_refused(box, call("."), {"is a folder"});
     expect_refused(box, call("joint.json/new.csv"), {"joint.json/new.csv", "is not a folder"});
     expect_refused(box, call("/dev/null"), {"/dev/null", "regular file", "Write to -"});
-    expect_refused(box, call(""), {"''", "name of a file"});
+    expect_refused(box, call(""), {"''", "file name"});
     expect_refused(box, call(std::string(300, 'x')), {"File name too long", "shorter"});
   }
   expect_refused(box, identify_to("none/new.json"), {"none/new.json", "no folder 'none'"});
@@ -124,7 +124,8 @@ TEST(Output, OnAFullDevice) {
   const int full = ::open("/dev/full", O_WRONLY | O_CLOEXEC);
   if (full < 0) GTEST_SKIP() << "there is no /dev/full";
   const Circumstances how{.standard_output = full};
-  expect_unwritten(box, dissipation_to("-"), {"standard output", "No space left", "room"}, how);
+  expect_unwritten(box, dissipation_to("-"),
+                   {"standard output", "No space left", "Free some space"}, how);
   expect_unwritten(box, identify_to("-", "density.csv"), {"standard output", "No space left"}, how);
   expect_unwritten(box, {"--help"}, {"standard output", "No space left"}, how);
   // The files are written, but the summary is lost: that is not silent.

@@ -22,10 +22,10 @@ TEST(plan, RanksAmplitudesAndSaysWhereMoreDoesNotHelp) {
   const Sandbox box = sandbox();
   const Outcome run = expect_done(box, with(kPlan, {"--count", "6"}));
   EXPECT_NE(run.out.find("next 1"), std::string::npos);
-  EXPECT_NE(run.out.find("more of the same"), std::string::npos);
+  EXPECT_NE(run.out.find("further repeats no longer help"), std::string::npos);
   const std::string text = box.get("next.csv");
   EXPECT_TRUE(text.starts_with("# microslip ")) << text;
-  EXPECT_NE(text.find("# more of the same"), std::string::npos);
+  EXPECT_NE(text.find("# further repeats no longer help"), std::string::npos);
   const CsvTable table(text, "next.csv");
   double levels = 0.0;
   double width = 1e300;

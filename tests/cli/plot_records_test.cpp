@@ -57,7 +57,7 @@ TEST_F(plot_records, TakesARecordAndAPartOfIt) {
   EXPECT_NE(svg_of(box, with(force, {"--time", "1:2"})), first);
   EXPECT_EQ(svg_of(box, with(force, {"--time", "0:3"})), first);
   expect_refused(box, with(force, {"--record", "3"}), {"--record = 3", "from 1 to 2"});
-  expect_refused(box, with(force, {"--time", "5:6"}), {"--time", "from 0 to 2.999 s"});
+  expect_refused(box, with(force, {"--time", "5:6"}), {"--time", "spans 0 to 2.999 s"});
   expect_refused(box, {"plot", "joint.json", "--figure", "density", "--record", "1"},
                  {"--record", "density"});
   expect_refused(box, {"plot", "joint.json", "--figure", "density", "--time", "1:2"},

@@ -86,7 +86,7 @@ TEST(reduce_model, NamesWhatIsWrong) {
   refused({"--sensor", "acc1"}, "must read CHANNEL=POINT");
   refused({"--sensor", "acc9=p2"}, "low.csv: channel 'acc9' is missing");
   refused({"--sensor", "force=p2"}, "channel 'force' = force; must be acceleration");
-  refused({"--sensor", "acc1=p2", "--sensor", "acc1=p3"}, "acc1; must be another");
+  refused({"--sensor", "acc1=p2", "--sensor", "acc1=p3"}, "acc1; must differ");
   refused({"--sensor", "acc1=p2", "--force", "acc2"}, "channel 'acc2' = acceleration; must be");
   refused({"--sensor", "acc1=p2", "--mode", "7"}, "mode = 7; must be from 1 to 6");
   refused({"--sensor", "acc1=p2", "--modes", "7"}, "--modes");

@@ -235,7 +235,7 @@ channel = "acc1"
     const bool coarse = step > 0.1;
     EXPECT_EQ(levels.text("flags")[0], coarse ? "coarse_steps" : "");
     for (const std::string& text : {run.out, box.get("levels.csv")}) {
-      EXPECT_EQ(text.find("goes on by 53°") != std::string::npos, coarse) << text;
+      EXPECT_EQ(text.find("changes by 53°") != std::string::npos, coarse) << text;
     }
   }
   fs::copy_file(kRig + "recordings/level_05.csv", box.file("level_05.csv"));

@@ -179,12 +179,12 @@ TEST(verifyTests, RefusesOptionsThatNoTestUses) {
                           const std::string& part) {
     const Outcome run = box.run(with({"verify", "true.toml", test, "--out", "c.csv"}, option));
     EXPECT_EQ(run.status, 2) << run.out;
-    for (const std::string& all : {option.front(), std::string("changes nothing"), part}) {
+    for (const std::string& all : {option.front(), std::string("has no effect"), part}) {
       EXPECT_NE(run.err.find(all), std::string::npos) << run.err << " has no " << all;
     }
     EXPECT_FALSE(box.has("c.csv"));
   };
-  refuse("sweep.csv", {"--joint", "contact"}, "for records of force and displacement");
+  refuse("sweep.csv", {"--joint", "contact"}, "applies to records of force and displacement");
   refuse("sweep.csv", {"--force", "f"}, "the tests are stepped-sine tables");
   refuse("modes.csv", {"--displacement", "x"}, "the tests are tables of modal levels");
   refuse("sweep.csv", {"--sensor", "acceleration=drive"}, "recordings of ring-downs");
@@ -216,8 +216,7 @@ TEST(verifyTests, TellsWhichFileStandsInThePlaceOfAnother) {
       EXPECT_NE(run.err.find(part), std::string::npos) << run.err << " has no " << part;
     }
   };
-  refuse({"verify", "sweep.csv", "true.toml"},
-         {"a stepped-sine table", "name true.toml before it"});
+  refuse({"verify", "sweep.csv", "true.toml"}, {"a stepped-sine table", "true.toml before it"});
   refuse({"verify", "true.toml", "levels.csv"},
          {"a table of levels (levels.csv)", "must be a test"});
   refuse({"verify", "true.toml", "joint.json"}, {"a joint (joint.json)", "must be a test"});

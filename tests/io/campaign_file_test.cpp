@@ -171,7 +171,7 @@ TEST(CampaignFile, NamesWhatIsWrongOfAModel) {
   refused("\"modal\"", "\"none\"", {"forcing", "excitation, modal"});
   refused("harmonics = 3", "harmonics = 101", {"harmonics", "101", "1 to 100"});
   refused("draws = 100", "draws = 99", {"draws", "99", "100"});
-  refused("edges = \"none\"", "atom = true", {"identification.atom", "belongs to one joint"});
+  refused("edges = \"none\"", "atom = true", {"identification.atom", "applies to one joint"});
   refused("edges = \"none\"", "session_offsets = true", {"session_offsets", "absolute"});
   refused("mode = 2", "mode = 0", {"mode", "1 or more"});
   refused("name = \"blow\"", "name = \"modal\"", {"test[0].name", "modal_levels.csv"});

@@ -210,7 +210,7 @@ TEST(EnsemblePlan, NamesAWrongValue) {
       {kDesign, "[0.01]", "[0]", "noise[0] = 0"},
       {kDesign, "[1e-6, 1e-4]", "[1e-4, 1e-6]", "rising"},
       {kDesign, "count = 50", "count = 50\ndraws = 3", "must be from 40"},
-      {kSweep, "values = [0.1, 0.2]", "values = []", "must have a value"},
+      {kSweep, "values = [0.1, 0.2]", "values = []", "must have at least one value"},
       {kSweep, "number = \"structure", "number = \"\" #", "must be the path of a number"},
       {kSweep, "count = 3", "count = 600000", "a grid of 1.2e+06 points"},
   };

@@ -239,7 +239,7 @@ TEST_F(Hdf5Recording, AsksWhatIsLabelledGBesideItsFactor) {
   const Recordings read = read_recordings_hdf5(path_);
   ASSERT_EQ(read.warnings.size(), 1U);
   EXPECT_EQ(read.warnings[0].code, "unit_doubtful");
-  EXPECT_NE(read.warnings[0].text.find("The largest is 20 m/s^2 if so, 196.1 m/s^2 if it is in g"),
+  EXPECT_NE(read.warnings[0].text.find("The largest is 20 m/s^2 if so, 196.1 m/s^2 if in g"),
             std::string::npos)
       << read.warnings[0].text;
   EXPECT_NE(read.warnings[0].text.find("`assume_units acc1=m/s^2` or acc1=g"), std::string::npos);

@@ -72,9 +72,9 @@ TEST_P(MatValueOfVersion5, NamesWhatExistsWhereAPathFails) {
     return text.substr(text.find("variable"));
   };
   EXPECT_EQ(message("nested.fz"),
-            "variable = 'nested.fz'; must be there; 'nested' has 'fs', 'channels', 'cell'");
+            "variable = 'nested.fz'; must exist; 'nested' has 'fs', 'channels', 'cell'");
   EXPECT_EQ(message("force.x"),
-            "variable = 'force.x'; must be there; 'force' is real numbers of 3 × 1");
+            "variable = 'force.x'; must exist; 'force' is real numbers of 3 × 1");
   EXPECT_EQ(message("nested.channels.values"),
             "variable = 'nested.channels.values'; must specify an element of 'nested.channels': it "
             "has 2, (1) to (2)");

@@ -126,7 +126,7 @@ TEST_F(MatrixFile, NamesWhatIsWrong) {
   write_matlab(folder_.file("k.mat"), MAT_FT_MAT5);
   EXPECT_EQ(fault("k.mat"),
             "k.mat = 2 matrices; must be one; there is 'F', 'S'. Name one after a colon, k.mat:F.");
-  EXPECT_NE(fault("k.mat:G").find("must be there; the file has 'F', 'S'"), std::string::npos);
+  EXPECT_NE(fault("k.mat:G").find("must exist; the file has 'F', 'S'"), std::string::npos);
   write_matlab(folder_.file("nan.mat"), MAT_FT_MAT5, std::nan(""));
   EXPECT_EQ(fault("nan.mat:F"), "nan.mat:F: entry (3, 3) = nan; must be finite");
   write_matlab(folder_.file("bad.mat"), MAT_FT_MAT5, 5.0, {0, 2, 0, 1, 2});

@@ -502,7 +502,7 @@ TEST(ModelFileFault, ExcitationAndResponse) {
        "model.toml:23:13: excitation[0].harmonics = no harmonic; must have at least one that is "
        "not 0"},
       {"[0, 1.2]", "[0]",
-       "model.toml:24:13: excitation[0].phase_rad = 1 value; must have 2, one a harmonic"},
+       "model.toml:24:13: excitation[0].phase_rad = 1 value; must have 2, one per harmonic"},
   });
   const ModelFolder folder;
   const std::string head = kText.substr(0, kText.find("[[excitation]]"));

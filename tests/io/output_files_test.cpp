@@ -129,7 +129,7 @@ TEST(OutputFilesFault, AnotherKind) {
   put(folder.file("notes"), "My notes.\n1 2 3\n");
   EXPECT_NE(fault(folder.file("notes"), kJointText), "no error");
   put(folder.file("noise"), std::string("\0\1\2", 3));
-  EXPECT_NE(fault(folder.file("noise"), std::string("\0\1\2", 3)).find("holds something else"),
+  EXPECT_NE(fault(folder.file("noise"), std::string("\0\1\2", 3)).find("contains something else"),
             std::string::npos);
 }
 

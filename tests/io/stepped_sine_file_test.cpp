@@ -84,7 +84,7 @@ TEST(SteppedSineFile, NamesThePartThatASweepLacks) {
     return message_of<FormatError>([&] { return read_stepped_sines(path); });
   };
   expect_parts(refused("frequency [Hz],force [N],acceleration [g]\n1,1,1\n2,1,1\n"),
-               {"with phase [rad]", "against the force"});
+               {"with phase [rad]", "relative to the force"});
   expect_parts(refused("frequency [Hz],force [N],displacement [m],phase [rad]\n1,1,1,1\n"),
                {"with acceleration [m/s^2]", "displacement: multiply it by (2 pi frequency)^2"});
   expect_parts(refused("frequency [Hz],force [N],velocity [m/s],phase [rad]\n1,1,1,1\n"),

@@ -153,7 +153,7 @@ BAD = {
     "empty": (lambda: microslip.Channel("a", []), "empty"),
     "table": (lambda: microslip.Channel("a", np.ones((2, 2))), "shape 2x2"),
     "texts": (lambda: microslip.Channel("a", ["x"]), "texts"),
-    "unit": (lambda: microslip.Channel("a", N, "furlong"), "unit = 'furlong'; must be a unit that"),
+    "unit": (lambda: microslip.Channel("a", N, "furlong"), "unit = 'furlong'; must be a known unit"),
     "name": (lambda: microslip.Channel("", N), "name"),
     "fs": (lambda: microslip.Recording.of({"a": N}, fs=0.0), "fs = 0.0; must be positive"),
     "no axis": (lambda: microslip.Recording.of({"a": N}), "neither fs nor time"),

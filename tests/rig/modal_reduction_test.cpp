@@ -338,7 +338,7 @@ TEST(ModalReducer, NamesWhatIsWrong) {
   test::expect_message(message(test), "p99");
   test = test_with(structure, {"p1", "p2"});
   test.accelerometers[1].channel = "p1";
-  test::expect_message(message(test), "p1; must be another");
+  test::expect_message(message(test), "p1; must differ");
   test = test_with(structure, {});
   test::expect_message(message(test), "accelerometers = none");
   test = test_with(structure, {"p1"});

@@ -367,7 +367,7 @@ TEST(SweepResonance, WarnsOfCoarseSteps) {
   EXPECT_NEAR(found(29.0).phase_step, 29.0 * kDegree, 1e-9);
   EXPECT_TRUE(codes(found(29.0)).empty());
   EXPECT_EQ(codes(found(31.0)), std::vector<std::string>{"coarse_steps"});
-  test::expect_message(warnings_of(found(60.0)).front().text, "goes on by 60°");
+  test::expect_message(warnings_of(found(60.0)).front().text, "changes by 60°");
 }
 
 // Steps of a resonance further up, behind one that is near none.

@@ -451,7 +451,7 @@ TEST(CampaignConditions, KnowHowTestsRepeat) {
   const ConditionEffect torque = conditions_of(campaign).front();
   // By hand: √(2·(0.02² + 0.02²)/2)/√2 = 0.02 of a mean of two tests.
   EXPECT_NEAR(torque.groups[0].dissipation.sigma, 0.02, 0.003);
-  EXPECT_EQ(condition_warnings(campaign.file, {torque}).front().text.find("apart"),
+  EXPECT_EQ(condition_warnings(campaign.file, {torque}).front().text.find("They differ"),
             std::string::npos);
 }
 
@@ -464,8 +464,9 @@ TEST(CampaignConditions, HoldTheGainsThatTestsMayHave) {
     set_torque(campaign.file.tests[t], 10.0 + 10.0 * static_cast<double>(t));
   }
   const auto warns = [&] {
-    return condition_warnings(campaign.file, conditions_of(campaign)).front().text.find("apart") !=
-           std::string::npos;
+    return condition_warnings(campaign.file, conditions_of(campaign))
+               .front()
+               .text.find("They differ") != std::string::npos;
   };
   EXPECT_TRUE(warns());
   campaign.file.dissipation_gain_std = 0.02;

@@ -35,8 +35,8 @@ std::set<std::string> codes_in_the_source() {
   std::set<std::string> codes;
   for (const char* folder : {"signal", "rig"}) {
     for (const auto& file :
-         std::filesystem::directory_iterator(kRoot / "src" / "microslip" / folder)) {
-      collect(test::get(file.path().string()), codes);
+         std::filesystem::recursive_directory_iterator(kRoot / "src" / "microslip" / folder)) {
+      if (file.is_regular_file()) collect(test::get(file.path().string()), codes);
     }
   }
   for (const char* file : {"joint/covered_range.cpp", "observe/record_cycles.hpp",

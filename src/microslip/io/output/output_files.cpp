@@ -72,7 +72,7 @@ void check_folder(const std::string& path, const std::string& target) {
   struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) {
     if (errno != ENOENT) fail_to_write(path, errno);
-    throw FileError(path, fmt::format("cannot be written: there is not a folder '{}'", folder),
+    throw FileError(path, fmt::format("cannot be written: there is no folder '{}'", folder),
                     "Create it first.");
   }
   if (!S_ISDIR(status.st_mode)) {
