@@ -261,12 +261,14 @@ const kNarrow = {width: 400, height: 850};
 const kPhone = {width: 390, height: 844};
 
 /** A report in both themes on a desk, on a phone and in a narrow window, with screenshots, and in print. All charts are drawn
-    for the light theme and the phone, which have pictures of the whole; the rest differ from these by their first screen. @param warnings  where they are given, what the first screen must name. */
-export async function takePictures(browser, file, artefacts, warnings) {
+    for the light theme, and for the phone where it is looked at `everywhere`; the rest differ from these by their first screen.
+    Of most reports the dark theme and the phone are left to the studies: the page is the same.
+    @param warnings  where they are given, what the first screen must name. */
+export async function takePictures(browser, file, artefacts, warnings, everywhere = false) {
+  const all = everywhere || Boolean(process.env.MICROSLIP_STUDIES);
   const kinds = {
     light: {viewport: kDesk, colorScheme: 'light'},
-    dark: {viewport: kDesk, colorScheme: 'dark'},
-    phone: {viewport: kPhone, isMobile: true, hasTouch: true},
+    ...(all ? {dark: {viewport: kDesk, colorScheme: 'dark'}, phone: {viewport: kPhone, isMobile: true, hasTouch: true}} : {}),
     ...(warnings === undefined ? {} : {narrow: {viewport: kNarrow, colorScheme: 'dark'}}),
   };
   for (const [name, options] of Object.entries(kinds)) {

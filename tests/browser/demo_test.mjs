@@ -23,7 +23,7 @@ async function check(name, warnings, more) {
   await more(page);
   assert.deepEqual(faults, [], name);
   await context.close();
-  await tools.takePictures(browser, file, tools.folder(`${artefacts}/${name}`), warnings);
+  await tools.takePictures(browser, file, tools.folder(`${artefacts}/${name}`), warnings, name === 'reference_rig');
   const milliseconds = await tools.measureLoads(browser, file);
   measured[name] = {bytes, milliseconds};
 }
