@@ -444,9 +444,8 @@ TEST(ModelFileFault, Joints) {
       {"shape = [0.2, 0.3]\n", "shape = [0.2, 0.3]\nstiffness = 1\n",
        "model.toml:15:1: expected in joint[0] the keys file, stiffness_N_per_m, shape, name, "
        "spring_in_modes_N_per_m, series_compliance_m_per_N, shortening_per_kg_m, "
-       "linear_damping_J_per_m2, samples, normal_load_std, found the unknown key 'stiffness'. Is "
-       "it "
-       "to be 'stiffness_N_per_m'?"},
+       "linear_damping_J_per_m2, samples, normal_load_std, found the unknown key 'stiffness'. Did "
+       "you mean 'stiffness_N_per_m'?"},
       {"\"left\"", "\"joint2\"",
        "model.toml:18:1: joint[1].name = 'joint2'; must differ from "
        "joint[0].name"},

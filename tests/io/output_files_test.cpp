@@ -151,7 +151,7 @@ TEST(OutputFilesFault, SpecialFile) {
 TEST(OutputFilesFault, NoFolder) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(fault(folder.file("no/levels.csv"), kLevelsText),
-            folder.file("no/levels.csv") + ": cannot be written: there is not a folder '" +
+            folder.file("no/levels.csv") + ": cannot be written: there is no folder '" +
                 folder.file("no") + "'. Create it first.");
   put(folder.file("f"), "");
   EXPECT_EQ(fault(folder.file("f/levels.csv"), kLevelsText),

@@ -228,13 +228,13 @@ TEST(LevelPlanned, SaysWhatMustBeKnown) {
   const std::string text = plan_text(plan, planning, "microslip plan");
   for (const char* part :
        {"# microslip ", "sha256", "# target: ", "# width now: ", "# width after all: ",
-        "# further repeats no longer help at ",
+        "# repeats still help at each amplitude",
         "rank [1],amplitude [m],repeats [1],width_before [1],width_after [1],width_endless [1]"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
   }
   const std::string words = describe_plan(plan, planning);
   EXPECT_NE(words.find("next 1"), std::string::npos);
-  EXPECT_NE(words.find("further repeats no longer help"), std::string::npos);
+  EXPECT_NE(words.find("repeats still help"), std::string::npos);
 }
 
 TEST(LevelPlanned, RefusesWhatCannotBePlanned) {

@@ -16,7 +16,8 @@ namespace microslip {
 /// One fact: name and text in two columns.
 [[nodiscard]] std::string line(std::string_view name, std::string_view text);
 
-/// Breaks a paragraph between words, later lines indented. An option in backticks is one word.
+/// Breaks a paragraph between words, later lines indented. An option with its value, between grave
+/// accents, is one word.
 [[nodiscard]] std::string wrapped(std::string_view first, std::string_view text, std::size_t indent,
                                   std::size_t width = 78);
 
