@@ -21,6 +21,8 @@ TEST(CommentEntry, IsFoundByKeyAndSubject) {
   EXPECT_EQ(find_number_entry(comments, "p_value", "a.mat:X(1)"), 0.25);
   EXPECT_EQ(find_entry(comments, "trend", "torque"), "D +1 %") << "on one line";
   EXPECT_FALSE(find_number_entry(comments, "trend", "torque")) << "no number";
+  const std::vector<std::string> named{"confidence = 0.5: sha256 ab", comments[1]};
+  EXPECT_EQ(find_number_entry(named, "confidence"), 0.95) << "not the file of that name";
   EXPECT_FALSE(find_entry(comments, "p_value"));
   EXPECT_FALSE(find_entry(comments, "value"));
 }

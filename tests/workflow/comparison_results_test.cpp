@@ -49,6 +49,17 @@ TEST(ComparisonResults, HoldWhatTheCommentsOfTheTableTell) {
   EXPECT_EQ(found.tests.at(0).curves.at(0).chance, 0.25);
 }
 
+TEST(ComparisonResults, RefuseSharesThatAreNone) {
+  std::string text = comparison_table(verified(true));
+  text.replace(text.find("confidence = 0.95"), 17, "confidence = 1.5");
+  test::expect_message(test::message_or<FormatError>("none",
+                                                     [&] {
+                                                       (void)comparison_of({"c.csv", text});
+                                                       return 0;
+                                                     }),
+                       "c.csv: expected confidence from 0 to 1 in the comments, found 1.5");
+}
+
 TEST(ComparisonResults, VerdictCountsTheValuesInside) {
   const std::string verdict = comparison_verdict(read_back(true));
   test::expect_message(verdict, "2 of 3 values of 1 test inside their bands, 3 expected");

@@ -36,13 +36,15 @@ std::optional<std::string> find_entry(std::span<const std::string> comments, std
 
 std::optional<double> find_number_entry(std::span<const std::string> comments, std::string_view key,
                                         std::string_view subject) {
-  const std::optional<std::string> text = find_entry(comments, key, subject);
-  if (!text) return std::nullopt;
-  double value = 0.0;
-  const char* const end = text->data() + text->size();
-  const auto [stop, error] = std::from_chars(text->data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
+  const std::string start = entry_start(key, subject);
+  for (const std::string& comment : comments) {
+    if (!comment.starts_with(start)) continue;
+    double value = 0.0;
+    const char* const end = comment.data() + comment.size();
+    const auto [stop, error] = std::from_chars(comment.data() + start.size(), end, value);
+    if (error == std::errc() && stop == end) return value;
+  }
+  return std::nullopt;
 }
 
 bool is_comment_entry(std::string_view comment) {

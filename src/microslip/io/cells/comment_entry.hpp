@@ -22,7 +22,7 @@ namespace microslip {
                                                     std::string_view key,
                                                     std::string_view subject = {});
 
-/// Returns that value as a number; nothing where it is none.
+/// Returns the first value that is a number: a line on a file that is named like an entry is none.
 [[nodiscard]] std::optional<double> find_number_entry(std::span<const std::string> comments,
                                                       std::string_view key,
                                                       std::string_view subject = {});

@@ -76,7 +76,8 @@ std::string title_of(const CampaignTest& test) { return fmt::format("test '{}'",
 void require_file(const CampaignTest& test, const TestFile& file) {
   if (!file.once) return;
   throw InputError(title_of(test), in_quotes(test.file),
-                   "must be a file: a pipe can be read only once", "Write it to a file first.");
+                   "must be a file: a pipe or a device can be read only once",
+                   "Write it to a file first.");
 }
 
 /// Refuses keys that only recordings have.

@@ -79,7 +79,8 @@ void read_loops(std::vector<Recording> recordings, const TestReading& options, R
 /// A test is recognised and hashed before it is read.
 void require_file(const TestFile& file) {
   if (!file.once) return;
-  throw InputError("tests", in_quotes(file.path), "must be files: a pipe can be read only once",
+  throw InputError("tests", in_quotes(file.path),
+                   "must be files: a pipe or a device can be read only once",
                    "Write it to a file first.");
 }
 

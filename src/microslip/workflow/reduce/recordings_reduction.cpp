@@ -37,27 +37,32 @@ class OpenedRecordings {
     check_opened(options.opened, options.recordings);
   }
 
-  /// Whether the first is a table of stepped sines. A file that cannot be opened may be left out:
-  /// at() tells.
+  /// Whether the first that can be opened is a table of stepped sines. Others may be left out: at()
+  /// tells why.
   bool begin_with_table() {
-    if (options_.opened.empty()) {
+    if (!options_.opened.empty()) return is_table(options_.opened.front());
+    for (first_at_ = 0; first_at_ < options_.recordings.size(); ++first_at_) {
       try {
-        first_ = open_test(options_.recordings.front());
+        first_ = open_test(options_.recordings[first_at_]);
+        return is_table(*first_);
       } catch (const Error&) {
-        return false;
+        if (!options_.skip_faulty) return false;
       }
     }
-    return at(0).content == TestContent::kSteppedSine;
+    return false;
   }
 
   [[nodiscard]] TestFile at(std::size_t i) const {
     if (!options_.opened.empty()) return options_.opened[i];
-    return i == 0 && first_ ? *first_ : open_test(options_.recordings[i]);
+    return first_ && i == first_at_ ? *first_ : open_test(options_.recordings[i]);
   }
 
  private:
+  static bool is_table(const TestFile& file) { return file.content == TestContent::kSteppedSine; }
+
   const RecordingsReduction& options_;
   std::optional<TestFile> first_;
+  std::size_t first_at_ = 0;
 };
 
 std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const TestFile& file) {

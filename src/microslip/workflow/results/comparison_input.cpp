@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/comment_entry.hpp"
@@ -31,13 +32,21 @@ std::vector<Warning> warnings_in(const CsvTable& table) {
   return warnings;
 }
 
+/// A share in the comments, from 0 to 1; nothing where it is not there.
+std::optional<double> share_in(const CsvTable& table, std::string_view key,
+                               std::string_view subject = {}) {
+  const std::optional<double> share = find_number_entry(table.comments(), key, subject);
+  if (!share || (*share >= 0.0 && *share <= 1.0)) return share;
+  throw FormatError({table.file()}, fmt::format("{} from 0 to 1 in the comments", key),
+                    fmt::format("{}", *share));
+}
+
 /// Takes the p-values of curves from the comments.
 void take_p_values(const CsvTable& table, std::vector<ComparedTest>& tests) {
   for (ComparedTest& test : tests) {
     for (ComparedCurve& curve : test.curves) {
       if (curve.part != TestPart::kCurve) continue;
-      const auto value =
-          find_number_entry(table.comments(), kPValueKey, curve_subject(test, curve));
+      const auto value = share_in(table, kPValueKey, curve_subject(test, curve));
       if (value) curve.chance = *value;
     }
   }
@@ -109,7 +118,7 @@ ConditionMean trend_in(const CsvTable& table, const TrendKeys& keys, const std::
 ComparisonFound comparison_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   ComparisonFound found{.tests = compared_tests(table), .warnings = warnings_in(table)};
-  found.confidence = find_number_entry(table.comments(), kConfidenceKey);
+  found.confidence = share_in(table, kConfidenceKey);
   take_p_values(table, found.tests);
   for (const std::string& comment : table.comments()) {
     const bool of_program = is_of_provenance(comment) || is_comment_entry(comment);
