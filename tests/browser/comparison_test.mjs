@@ -144,7 +144,7 @@ run('verify', 'true.toml', 'middle.csv', '--out', 'compared/comparison.csv');
 run('report', 'compared', '--out', 'compared.html');
 const alone = await tools.open(browser, `${artefacts}/compared.html`);
 await tools.checkEveryFigure(alone.page);
-assert.match(await alone.page.locator('.verdict').textContent(), /1 test, without bands to judge them by/);
+assert.match(await alone.page.locator('.verdict').textContent(), /1 test, without bands to assess them/);
 assert.doesNotMatch(await alone.page.locator('body').textContent(), /No joint\.json/);
 assert.deepEqual(alone.faults, []);
 const pictures = tools.folder(`${artefacts}/alone`);
