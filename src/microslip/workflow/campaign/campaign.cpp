@@ -378,9 +378,10 @@ class CampaignWork {
   std::size_t stages_ = 1;
 };
 
-void require_folder(const CampaignRun& run) {
-  if (!run.out.empty() && run.out != "-") return;
-  throw InputError("out", in_quotes(run.out), "must be a folder", "Name it.");
+std::vector<std::string> inputs_of(const CampaignRun& run, const OpenedCampaign& opened) {
+  std::vector<std::string> inputs{run.campaign, opened.plan.structure};
+  for (const TestFile& test : opened.tests) inputs.push_back(test.part.file);
+  return inputs;
 }
 
 }  // namespace
@@ -391,14 +392,14 @@ bool DoneCampaign::converged() const {
 }
 
 std::vector<ResultFile> planned_files(const CampaignRun& run) {
-  require_folder(run);
+  require_result_folder(run.out);
   return planned_files(run, open_campaign(run));
 }
 
 std::vector<ResultFile> planned_files(const CampaignRun& run, const OpenedCampaign& opened) {
-  require_folder(run);
+  require_result_folder(run.out);
   std::vector<ResultFile> files = files_of(run, opened);
-  check_not_replaced(run, opened.plan, files);
+  check_inputs_kept(run.out, files, inputs_of(run, opened));
   return files;
 }
 

@@ -8,12 +8,8 @@
 #include <filesystem>
 #include <iterator>
 #include <string_view>
-#include <system_error>
 
-#include "microslip/base/error.hpp"
-#include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
-#include "microslip/io/open/recording_file.hpp"
 #include "microslip/workflow/campaign/campaign_joints.hpp"
 #include "microslip/workflow/campaign/campaign_levels.hpp"
 
@@ -75,21 +71,6 @@ std::vector<ResultFile> files_of(const CampaignRun& run, const OpenedCampaign& o
   if (has_conditions(plan)) add("conditions.csv", kConditionsKind);
   if (plan.leave_out != LeaveOut::kNothing) add("leave_one_out.csv", kLeftOutKind);
   return files;
-}
-
-void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
-                        const std::vector<ResultFile>& files) {
-  std::vector<std::string> inputs{run.campaign, plan.structure};
-  for (const CampaignTest& test : plan.tests) inputs.push_back(part_of_file(test.file).file);
-  for (const ResultFile& file : files) {
-    for (const std::string& input : inputs) {
-      std::error_code none;
-      if (!fs::equivalent(file.path, input, none)) continue;
-      throw InputError("out", in_quotes(run.out),
-                       fmt::format("must not be the folder of {}, which would be replaced", input),
-                       "Choose another folder.");
-    }
-  }
 }
 
 }  // namespace microslip

@@ -27,9 +27,4 @@ namespace microslip {
 [[nodiscard]] std::vector<ResultFile> files_of(const CampaignRun& run,
                                                const OpenedCampaign& opened);
 
-/// Checks that no file of the results would take the place of an input.
-/// @throws InputError  naming the input.
-void check_not_replaced(const CampaignRun& run, const CampaignFile& plan,
-                        const std::vector<ResultFile>& files);
-
 }  // namespace microslip

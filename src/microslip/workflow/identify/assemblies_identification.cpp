@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -47,15 +46,7 @@ void check_assemblies_folder(const AssembliesIdentification& options,
     throw InputError("out", in_quotes(options.out), "must be a folder with several assemblies",
                      "Name it.");
   }
-  for (const ResultFile& file : files) {
-    for (const std::string& input : options.levels) {
-      std::error_code none;
-      if (!std::filesystem::equivalent(file.path, input, none)) continue;
-      throw InputError("out", in_quotes(options.out),
-                       fmt::format("must not be the folder of {}, which would be replaced", input),
-                       "Choose another folder.");
-    }
-  }
+  check_inputs_kept(options.out, files, options.levels);
 }
 
 Provenance assemblies_provenance(const AssembliesIdentification& options,

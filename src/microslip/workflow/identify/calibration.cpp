@@ -187,11 +187,6 @@ void check_to_calibrate(const ModelFile& model, const std::string& path) {
   for (const StructuralJoint& joint : model.structure.joints()) check_column_name(path, joint.name);
 }
 
-void require_folder(const ModelCalibration& options) {
-  if (!options.out.empty() && options.out != "-") return;
-  throw InputError("out", in_quotes(options.out), "must be a folder", "Name it.");
-}
-
 }  // namespace
 
 std::vector<std::string> names_of_joints(const ModelFile& model) {
@@ -228,24 +223,16 @@ JointSamples joint_samples(const CalibratedJoint& joint, const Provenance& prove
 }
 
 std::vector<ResultFile> planned_files(const ModelCalibration& options) {
-  require_folder(options);
+  require_result_folder(options.out);
   return planned_files(options, read_model_to_calibrate(options.model));
 }
 
 std::vector<ResultFile> planned_files(const ModelCalibration& options, const ModelFile& model) {
-  require_folder(options);
+  require_result_folder(options.out);
   std::vector<ResultFile> files = files_of(options, model);
   std::vector<std::string> inputs = options.levels;
   inputs.push_back(options.model);
-  for (const ResultFile& file : files) {
-    for (const std::string& input : inputs) {
-      std::error_code none;
-      if (!fs::equivalent(file.path, input, none)) continue;
-      throw InputError("out", in_quotes(options.out),
-                       fmt::format("must not be the folder of {}, which would be replaced", input),
-                       "Choose another folder.");
-    }
-  }
+  check_inputs_kept(options.out, files, inputs);
   return files;
 }
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/io/config/named_values.hpp"
 #include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/identify/result_files.hpp"
 
 /// @file
 /// A model whose joints are sought and its modal levels, to the folder of what was found.
@@ -28,13 +28,6 @@ struct ModelCalibration {
   bool keep_draws = false;          ///< writes NAME_samples.h5 of each joint
   CalibrationOptions options = {};  ///< of the method
   std::string command;              ///< that the files are made by
-};
-
-/// A file to be written.
-struct ResultFile {
-  std::string path;          ///< in the folder
-  std::string_view kind;     ///< of file_kind.hpp
-  std::string content = {};  ///< all of it
 };
 
 /// Result of calibrate_model().
