@@ -1,4 +1,5 @@
-# The readers and writers of files compile without HDF5 and zlib, and then need neither.
+# The readers and writers of files compile without HDF5 and zlib, and then need neither. What is the same with them
+# and without them, by its CMakeLists.txt, is looked at where it was built: BUILD_DIR.
 execute_process(
   COMMAND
     "${CMAKE_COMMAND}" -S "${ROOT}" -B "${WORK_DIR}" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_UNITY_BUILD=ON
@@ -7,18 +8,25 @@ execute_process(
     -DCMAKE_DISABLE_FIND_PACKAGE_Hdf5Library=ON COMMAND_ERROR_IS_FATAL ANY
   OUTPUT_QUIET)
 set(targets "")
-file(GLOB_RECURSE lists "${ROOT}/src/microslip/io/CMakeLists.txt" "${ROOT}/src/microslip/documents/CMakeLists.txt")
+set(objects "")
+file(GLOB_RECURSE lists RELATIVE "${ROOT}" "${ROOT}/src/microslip/io/CMakeLists.txt" "${ROOT}/src/microslip/documents/CMakeLists.txt")
 foreach(list IN LISTS lists)
-  file(READ "${list}" content)
+  file(READ "${ROOT}/${list}" content)
   if(content MATCHES "microslip_add_folder\\([ \n]*([a-z0-9_/]+)")
-    string(REPLACE "/" "_" folder "${CMAKE_MATCH_1}")
-    list(APPEND targets microslip_folder_${folder})
+    string(REPLACE "/" "_" target "microslip_folder_${CMAKE_MATCH_1}")
+    cmake_path(GET list PARENT_PATH folder)
+    if(content MATCHES "MICROSLIP_WITH_(HDF5|MAT)")
+      list(APPEND targets ${target})
+    else()
+      file(GLOB_RECURSE built "${BUILD_DIR}/${folder}/CMakeFiles/${target}.dir/*.o")
+      list(APPEND objects ${built})
+    endif()
   endif()
 endforeach()
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${WORK_DIR}" --target ${targets}
                         COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
-file(GLOB_RECURSE objects "${WORK_DIR}/src/microslip/io/*.o" "${WORK_DIR}/src/microslip/documents/*.o")
-execute_process(COMMAND nm --undefined-only ${objects} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
-if(NOT symbols MATCHES "microslip" OR symbols MATCHES " (H5[A-Z]|inflate|deflate|gz)")
+file(GLOB_RECURSE built "${WORK_DIR}/src/microslip/*.o")
+execute_process(COMMAND nm --undefined-only ${objects} ${built} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+if(NOT built OR NOT symbols MATCHES "microslip" OR symbols MATCHES " (H5[A-Z]|inflate|deflate|gz)")
   message(FATAL_ERROR "wrong symbols are asked for: ${CMAKE_MATCH_0}")
 endif()
