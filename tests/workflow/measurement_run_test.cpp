@@ -57,7 +57,7 @@ TEST_F(MeasurementRunFiles, LevelsAreThoseOfTheTruth) {
   const FinishedMeasurement done = run_measurement(plan_);
   EXPECT_EQ(done.records.front(), "level_01.csv");
   const ReducedRecordings reduced =
-      reduce_recordings({.rig = file("rig.toml"), .recordings = records()});
+      reduce_recordings({.test = file("rig.toml"), .recordings = records()});
   const CsvTable levels(levels_text(reduced, "call"), "levels.csv");
   const CsvTable truth(read_file(file("truth.csv")), "truth.csv");
   const std::vector<double> found = levels.numbers("dissipation", kEnergy);

@@ -24,7 +24,8 @@
 namespace microslip::app {
 namespace {
 
-struct ReduceOptions : RecordingsReduction {
+struct ReduceOptions : ReductionInputs {
+  ReductionOptions reduction;
   std::string force;
   std::vector<std::string> sensors;
   std::size_t mode = 0;
@@ -57,16 +58,10 @@ void check_use(const ReduceOptions& options, bool is_model) {
 
 int run_of_model(const ReduceOptions& options, const Call& call) {
   check_output(options.out, kModalLevelsKind);
-  ModalLevelsReduction reduction{.model = options.rig,
-                                 .recordings = options.recordings,
-                                 .force = options.force,
-                                 .sensors = options.sensors,
-                                 .reading = options.reading,
-                                 .skip_faulty = options.skip_faulty,
-                                 .progress = options.progress};
+  ModalLevelsReduction reduction{.force = options.force, .sensors = options.sensors};
   reduction.reduction.fit = options.reduction.fit;
   if (options.mode > 0) reduction.reduction.mode = options.mode;
-  const ReducedModalLevels reduced = reduce_modal_levels(reduction);
+  const ReducedModalLevels reduced = reduce_modal_levels(options, reduction);
   if (!call.quiet) std::ranges::for_each(reduced.warnings, show_warnings);
   write_file(options.out, modal_levels_text(reduced, call.command_line));
   if (!call.quiet) {
@@ -82,11 +77,12 @@ int run(ReduceOptions options, const Call& call) {
   options.reading = read_options(options.arguments);
   options.progress = progress_bar("records", call.quiet);
   // A pipe can be read only once: it is taken as a rig.
-  const bool is_model = options.rig != "-" && file_kind(read_kind_head(options.rig)) == kModelKind;
+  const bool is_model =
+      options.test != "-" && file_kind(read_kind_head(options.test)) == kModelKind;
   check_use(options, is_model);
   if (is_model) return run_of_model(options, call);
   check_output(options.out, kLevelsKind);
-  const ReducedRecordings reduced = reduce_recordings(options);
+  const ReducedRecordings reduced = reduce_recordings(options, options.reduction);
   if (!call.quiet) std::ranges::for_each(reduced.warnings, show_warnings);
   write_file(options.out, levels_text(reduced, call.command_line));
   if (!call.quiet) {
@@ -105,7 +101,7 @@ void add_reduce(CLI::App& program, Call& call) {
                              "Levels from steady recordings: of a frictional-support test, or of "
                              "the modes of a structure with several joints");
   command
-      ->add_option("rig", options->rig,
+      ->add_option("rig", options->test,
                    "Description of the test, rig.toml; or a structure with joints, model.toml, "
                    "detected from its schema: then modal levels with amplitude and dissipation of "
                    "each joint are written")

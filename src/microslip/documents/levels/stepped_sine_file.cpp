@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <initializer_list>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -140,8 +138,7 @@ std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
 
 /// The first bytes; none of a pipe, which is not even opened. Standard input is left where it was.
 std::string head_of(const std::string& path) {
-  std::error_code ignored;  // a missing file is not a pipe
-  if (std::filesystem::is_fifo(path, ignored)) return {};
+  if (is_pipe_or_device(path)) return {};
   InputStream file(path);
   if (!file.rewind()) return {};
   std::string head(peek_kind_head(file));

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/documents/levels/test_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cstddef>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 
 #include "microslip/base/error.hpp"
 #include "microslip/documents/levels/stepped_sine_file.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/open/recording_file.hpp"
 
@@ -30,19 +31,11 @@ bool is_table(TestContent content) {
          content == TestContent::kSteppedSine;
 }
 
-/// Whether it can be read only once, or has no end. What does not exist is reported by its reader.
-bool is_no_file(const std::string& path) {
-  std::error_code unknown;
-  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
-  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-         !std::filesystem::is_directory(status);
-}
-
 }  // namespace
 
 TestFile open_test(const std::string& path) {
   TestFile test{.path = path, .part = part_of_file(path)};
-  test.once = is_no_file(test.part.file);
+  test.once = is_pipe_or_device(test.part.file);
   if (test.once) return test;
   InputStream file(test.part.file);
   test.once = test.part.file == "-";
@@ -66,6 +59,13 @@ TestFile open_test(const std::string& path) {
     if (test.format) test.sha256 = sha256_of_rest(file);
   }
   return test;
+}
+
+void require_file(const TestFile& file, const std::string& name, std::string_view what) {
+  if (!file.once) return;
+  throw InputError(name, in_quotes(file.path),
+                   fmt::format("must be {}: a pipe or a device can be read only once", what),
+                   "Write it to a file first.");
 }
 
 std::string text_of(const TestFile& file) {

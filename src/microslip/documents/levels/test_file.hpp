@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/io/bytes/part_of_file.hpp"
@@ -43,6 +44,11 @@ struct TestFile {
 /// @param path  a file, `FILE:VARIABLE` of a MATLAB file, or "-".
 /// @throws FileError  where it does not exist, is a folder or may not be read.
 [[nodiscard]] TestFile open_test(const std::string& path);
+
+/// A test is recognised and hashed before it is read.
+/// @param name  of the input, for messages. @param what  that it must be: "a file".
+/// @throws InputError  of what can be read only once.
+void require_file(const TestFile& file, const std::string& name, std::string_view what);
 
 /// The text of a table.
 /// @throws FileError  where it was not read by open_test() and cannot be read.

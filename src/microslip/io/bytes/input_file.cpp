@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
@@ -66,6 +68,13 @@ std::string read_file_head(const std::string& path, std::size_t size) {
   std::string content(size, '\0');
   content.resize(file.read(content.data(), size));
   return content;
+}
+
+bool is_pipe_or_device(const std::string& path) {
+  std::error_code unknown;
+  const std::filesystem::file_status status = std::filesystem::status(path, unknown);
+  return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+         !std::filesystem::is_directory(status);
 }
 
 }  // namespace microslip

@@ -29,4 +29,8 @@ class InputStream;
 /// The first bytes of a file, at most `size` of them. @throws FileError  as read_file().
 [[nodiscard]] std::string read_file_head(const std::string& path, std::size_t size);
 
+/// Whether a path leads to a pipe or a device, which can be read only once or has no end. False for
+/// what does not exist, which its reader reports, and for "-": InputStream::rewind() tells of it.
+[[nodiscard]] bool is_pipe_or_device(const std::string& path);
+
 }  // namespace microslip

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <initializer_list>
-#include <system_error>
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
@@ -233,8 +232,7 @@ std::string file_kind(std::string_view head) {
 }
 
 std::string kind_of_file(const std::string& path) {
-  std::error_code unknown;
-  if (path == "-" || std::filesystem::is_fifo(path, unknown)) return {};
+  if (path == "-" || is_pipe_or_device(path)) return {};
   try {
     return file_kind(read_kind_head(path));
   } catch (const FileError&) {

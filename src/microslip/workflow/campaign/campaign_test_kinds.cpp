@@ -72,14 +72,6 @@ bool fits(CampaignKind kind, TestContent content) {
 
 std::string title_of(const CampaignTest& test) { return fmt::format("test '{}'", test.name); }
 
-/// A test is recognised and hashed before it is read.
-void require_file(const CampaignTest& test, const TestFile& file) {
-  if (!file.once) return;
-  throw InputError(title_of(test), in_quotes(test.file),
-                   "must be a file: a pipe or a device can be read only once",
-                   "Write it to a file first.");
-}
-
 /// Refuses keys that only recordings have.
 void check_recording_keys(const CampaignTest& test, TestContent content) {
   if (may_be_recording(content)) return;
@@ -328,10 +320,10 @@ ReducedCampaignTest reduce_loops_of(const OpenedCampaign& campaign, std::size_t 
 ReducedCampaignTest reduce_by_rig(const OpenedCampaign& campaign, std::size_t number,
                                   const std::string& command, const Progress& progress) {
   const CampaignTest& test = campaign.plan.tests[number];
-  const ReducedRecordings found = reduce_recordings({.rig = campaign.plan.structure,
+  const ReducedRecordings found = reduce_recordings({.test = campaign.plan.structure,
                                                      .recordings = {test.file},
                                                      .reading = campaign_reading(test).reading,
-                                                     .rig_input = campaign.structure,
+                                                     .test_input = campaign.structure,
                                                      .opened = {campaign.tests[number]},
                                                      .progress = progress});
   ReducedCampaignTest reduced{.text = levels_text(found, command)};
@@ -361,7 +353,7 @@ std::optional<TestKind> test_kind_of(CampaignKind kind) {
 
 void check_campaign_test(const CampaignTest& test, const TestFile& file, CampaignSubject subject) {
   const TestContent content = file.content;
-  require_file(test, file);
+  require_file(file, title_of(test), "a file");
   if (!fits(test.kind, content)) {
     throw InputError(fmt::format("{}: kind", title_of(test)), in_quotes(to_string(test.kind)),
                      fmt::format("must be what {} is: {}", test.file, name_of(content)),
@@ -396,10 +388,10 @@ ReducedCampaignTest reduce_modal_test(const OpenedCampaign& campaign, std::size_
             .warnings = found.warnings,
             .converged = found.converged()};
   }
-  const ReducedModalLevels found = reduce_modal_levels({.model = campaign.plan.structure,
+  const ReducedModalLevels found = reduce_modal_levels({.test = campaign.plan.structure,
                                                         .recordings = {test.file},
                                                         .reading = reading.reading,
-                                                        .model_input = campaign.structure,
+                                                        .test_input = campaign.structure,
                                                         .opened = {file},
                                                         .progress = progress});
   ReducedCampaignTest reduced{.text = modal_levels_text(found, command)};

@@ -12,6 +12,7 @@
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/open/recording_file.hpp"
 #include "microslip/workflow/compare/verification_text.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
@@ -69,7 +70,7 @@ VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
           path, "a stepped-sine table", "must be a steady record in time",
           "verify compares such tables with a model.toml; reduce makes levels of them.");
     }
-    return read_named_recordings(path, options.reading, verified.warnings[i]);
+    return named_recordings(read_recordings(path, options.reading), path, verified.warnings[i]);
   };
   // Read before the records, which take longer.
   JointDraws draws;

@@ -76,14 +76,6 @@ void read_loops(std::vector<Recording> recordings, const TestReading& options, R
   test.content = std::move(records);
 }
 
-/// A test is recognised and hashed before it is read.
-void require_file(const TestFile& file) {
-  if (!file.once) return;
-  throw InputError("tests", in_quotes(file.path),
-                   "must be files: a pipe or a device can be read only once",
-                   "Write it to a file first.");
-}
-
 void require_model(const ModelFile* model, const std::string& path, const std::string& test) {
   if (model != nullptr) return;
   throw InputError(path, "a single joint",
@@ -112,7 +104,7 @@ ReadTest read_test(const std::string& path, const ModelFile* model, const std::s
 
 ReadTest read_test(const TestFile& file, const ModelFile* model, const std::string& model_path,
                    const TestReading& options) {
-  require_file(file);
+  require_file(file, "tests", "files");
   const std::string& path = file.path;
   ReadTest test{.path = path, .digest = file.sha256, .content = {}, .kind = options.kind};
   require_test(file, model_path);
@@ -138,8 +130,7 @@ ReadTest read_test(const TestFile& file, const ModelFile* model, const std::stri
   const bool loops = options.kind ? options.kind == TestKind::kLoops
                                   : model == nullptr || has_loops(found.recordings);
   if (loops) {
-    test.warnings = std::move(found.warnings);
-    read_loops(named_recordings(std::move(found.recordings), path), options, test);
+    read_loops(named_recordings(std::move(found), path, test.warnings), options, test);
   } else {
     require_model(model, model_path, path);
     read_decay(found, *model, model_path, options, test);

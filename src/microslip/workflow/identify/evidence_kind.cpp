@@ -2,14 +2,13 @@
 #include "microslip/workflow/identify/evidence_kind.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "microslip/base/units.hpp"
+#include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/open/recording_file.hpp"
 #include "microslip/io/tables/csv.hpp"
@@ -34,10 +33,7 @@ bool is_of_record(const CsvColumn& column) {
 
 EvidenceKind evidence_kind(const std::string& path) {
   const std::string file = part_of_file(path).file;
-  std::error_code unknown;
-  const bool once =
-      std::filesystem::exists(file, unknown) && !std::filesystem::is_regular_file(file, unknown);
-  if (path == "-" || once) return EvidenceKind::kLevels;
+  if (path == "-" || is_pipe_or_device(file)) return EvidenceKind::kLevels;
   if (recording_format(file) != RecordingFormat::kCsv) return EvidenceKind::kRecord;
   const std::vector<CsvColumn> columns = csv_columns(read_kind_head(file));
   if (std::ranges::any_of(columns, is_of_levels)) return EvidenceKind::kLevels;

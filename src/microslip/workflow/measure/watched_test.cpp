@@ -218,9 +218,8 @@ void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChan
     if (!faulty_.contains(file)) asked.push_back(file);
   }
   if (asked.empty()) return;
-  const ReducedRecordings reduced = reduce_recordings({.rig = path(std::string(kRigFile)),
+  const ReducedRecordings reduced = reduce_recordings({.test = path(std::string(kRigFile)),
                                                        .recordings = asked,
-                                                       .reduction = {},
                                                        .reading = {},
                                                        .skip_faulty = true,
                                                        .progress = options_.progress});

@@ -70,7 +70,7 @@ ForceRecords read_force_records(const std::vector<TestFile>& files, const JointC
   std::vector<std::vector<Warning>> warnings;
   for (const TestFile& file : files) {
     for (const Recording& recording :
-         read_named_recordings(file, reading, warnings.emplace_back())) {
+         named_recordings(read_recordings(file, reading), file.path, warnings.emplace_back())) {
       all.records.push_back({recording.source, force_record(recording, channels),
                              recording.axis.start, static_cast<double>(warnings.size())});
     }

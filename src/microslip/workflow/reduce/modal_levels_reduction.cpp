@@ -24,10 +24,11 @@
 namespace microslip {
 namespace {
 
-StructureTest test_of(const ModalLevelsReduction& options, ModelFile model) {
-  require_driven_by_forces(model, options.model, "reduce");
-  require_no_static_loads(model, options.model, "reduce");
-  std::vector<PointSensor> sensors = point_sensors(options.sensors, model, options.model);
+StructureTest test_of(const ModalLevelsReduction& options, ModelFile model,
+                      const std::string& path) {
+  require_driven_by_forces(model, path, "reduce");
+  require_no_static_loads(model, path, "reduce");
+  std::vector<PointSensor> sensors = point_sensors(options.sensors, model, path);
   std::string force = options.force;
   if (force.empty() && !model.force_channels.empty()) force = model.force_channels.front();
   return {std::move(model.structure), std::move(model.response), std::move(force),
@@ -35,8 +36,8 @@ StructureTest test_of(const ModalLevelsReduction& options, ModelFile model) {
 }
 
 ModalReducer reducer_of(const ModalLevelsReduction& options, const NamedInput& input) {
-  StructureTest test =
-      test_of(options, parse_model(input.text, input_name(input.path), JointsToFind::kAllowed));
+  StructureTest test = test_of(
+      options, parse_model(input.text, input_name(input.path), JointsToFind::kAllowed), input.path);
   try {
     return ModalReducer(std::move(test), options.reduction);
   } catch (const InputError& error) {
@@ -69,32 +70,33 @@ std::vector<ModalLevel> writable_modal_levels(const std::vector<ModalLevel>& lev
 
 }  // namespace
 
-ReducedModalLevels reduce_modal_levels(const ModalLevelsReduction& options) {
-  check_distinct_files(options.recordings);
-  check_opened(options.opened, options.recordings);
+ReducedModalLevels reduce_modal_levels(const ReductionInputs& inputs,
+                                       const ModalLevelsReduction& options) {
+  check_distinct_files(inputs.recordings);
+  check_opened(inputs.opened, inputs.recordings);
   constexpr std::size_t kLargestModel = std::size_t{16} << 20U;
-  NamedInput input = options.model_input
-                         ? *options.model_input
-                         : NamedInput{options.model, read_file(options.model, kLargestModel)};
+  NamedInput input = inputs.test_input
+                         ? *inputs.test_input
+                         : NamedInput{inputs.test, read_file(inputs.test, kLargestModel)};
   ModalReducer reducer = reducer_of(options, input);
-  const std::size_t count = options.recordings.size();
-  ReducedModalLevels reduced{std::move(input), options.recordings, std::move(reducer), {}, {}, {}};
+  const std::size_t count = inputs.recordings.size();
+  ReducedModalLevels reduced{std::move(input), inputs.recordings, std::move(reducer), {}, {}, {}};
   reduced.digests.resize(count);
   reduced.warnings.resize(count);
   const auto read = [&](std::size_t i) {
     const TestFile file =
-        options.opened.empty() ? open_test(options.recordings[i]) : options.opened[i];
+        inputs.opened.empty() ? open_test(inputs.recordings[i]) : inputs.opened[i];
     if (file.content == TestContent::kSteppedSine) {
       throw InputError(file.path, "a stepped-sine table", "must be a record in time",
                        "Joints are observed in records of force and accelerations.");
     }
     std::vector<Recording> recordings =
-        read_named_recordings(file, options.reading, reduced.warnings[i]);
+        named_recordings(read_recordings(file, inputs.reading), file.path, reduced.warnings[i]);
     reduced.digests[i] = file.sha256;
     return recordings;
   };
   reduced.batch = reduce_batch(reduced.reducer, count, read,
-                               {.skip_faulty = options.skip_faulty, .progress = options.progress});
+                               {.skip_faulty = inputs.skip_faulty, .progress = inputs.progress});
   return reduced;
 }
 

@@ -1,34 +1,24 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
-#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/io/output/provenance.hpp"
-#include "microslip/io/recordings/recordings.hpp"
 #include "microslip/rig/reduction/modal_reduction.hpp"
+#include "microslip/workflow/reduce/reduction_inputs.hpp"
 
 /// @file
 /// Recordings of a structure with several joints to modal_levels.csv.
 
 namespace microslip {
 
-/// Inputs and options of reduce_modal_levels().
+/// Options of reduce_modal_levels().
 struct ModalLevelsReduction {
-  std::string model;                      ///< path of model.toml
-  std::vector<std::string> recordings;    ///< paths of steady records, one or more
   std::string force = {};                 ///< channel; empty for that of the model or the only one
   std::vector<std::string> sensors = {};  ///< CHANNEL=POINT; empty for those of the model
-  ModalReductionOptions reduction = {};   ///< of each
-  RecordingReadOptions reading = {};      ///< of their files
-  std::optional<NamedInput> model_input = {};  ///< model.toml, where it was read before
-  std::vector<TestFile> opened = {};           ///< the recordings, where they were opened before
-  bool skip_faulty = false;                    ///< leaves out what cannot be read or reduced
-  Progress progress = {};                      ///< reports the records
+  ModalReductionOptions reduction = {};   ///< of each recording
 };
 
 /// Result of reduce_modal_levels().
@@ -41,10 +31,13 @@ struct ReducedModalLevels {
   std::vector<std::vector<Warning>> warnings;  ///< of the readers, one list a recording
 };
 
+/// @param inputs   steady records, with a model.toml.
+/// @param options  channels, and how each is reduced.
 /// @throws FileError, FormatError, InputError  as the readers and the reduction, unless what is
 ///                                             faulty is skipped; those of the model name its file.
 /// @throws Cancelled  as the progress says.
-[[nodiscard]] ReducedModalLevels reduce_modal_levels(const ModalLevelsReduction& options);
+[[nodiscard]] ReducedModalLevels reduce_modal_levels(const ReductionInputs& inputs,
+                                                     const ModalLevelsReduction& options = {});
 
 /// The text of modal_levels.csv: levels with D ≥ 0, version and command, digests of what was read,
 /// and what is to be looked at.

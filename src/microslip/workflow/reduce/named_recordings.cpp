@@ -9,34 +9,18 @@
 
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
-#include "microslip/io/open/recording_file.hpp"
 
 namespace microslip {
 
-std::vector<Recording> read_named_recordings(const std::string& path,
-                                             const RecordingReadOptions& options,
-                                             std::vector<Warning>& warnings) {
-  Recordings found = read_recordings(path, options);
+std::vector<Recording> named_recordings(Recordings found, const std::string& path,
+                                        std::vector<Warning>& warnings) {
   warnings = std::move(found.warnings);
-  return named_recordings(std::move(found.recordings), path);
-}
-
-std::vector<Recording> read_named_recordings(const TestFile& file,
-                                             const RecordingReadOptions& options,
-                                             std::vector<Warning>& warnings) {
-  Recordings found = read_recordings(file, options);
-  warnings = std::move(found.warnings);
-  return named_recordings(std::move(found.recordings), file.path);
-}
-
-std::vector<Recording> named_recordings(std::vector<Recording> recordings,
-                                        const std::string& path) {
-  const bool several = recordings.size() > 1;
-  for (Recording& recording : recordings) {
+  const bool several = found.recordings.size() > 1;
+  for (Recording& recording : found.recordings) {
     const std::string name = input_name(path);
     recording.source = several ? fmt::format("{}:{}", name, recording.source) : name;
   }
-  return recordings;
+  return std::move(found.recordings);
 }
 
 void check_opened(const std::vector<TestFile>& opened, const std::vector<std::string>& paths) {

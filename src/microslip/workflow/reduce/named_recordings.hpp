@@ -14,22 +14,13 @@
 
 namespace microslip {
 
-/// The records of a file, each named as the file was by the caller, not as the one that it was made
-/// from; with the name of the recording where it holds several.
+/// The recordings of a file, each named as the file was by the caller, not as the one that it was
+/// made from; with the name of the recording where it holds several.
+/// @param found     read_recordings() of the file.
+/// @param path      of the file.
 /// @param warnings  gets what the reader had to forgive.
-/// @throws Error  as read_recordings().
-[[nodiscard]] std::vector<Recording> read_named_recordings(const std::string& path,
-                                                           const RecordingReadOptions& options,
-                                                           std::vector<Warning>& warnings);
-
-/// As above, of a file that was opened before.
-[[nodiscard]] std::vector<Recording> read_named_recordings(const TestFile& file,
-                                                           const RecordingReadOptions& options,
-                                                           std::vector<Warning>& warnings);
-
-/// The recordings of a file, named as read_named_recordings() does. @param path  of the file.
-[[nodiscard]] std::vector<Recording> named_recordings(std::vector<Recording> recordings,
-                                                      const std::string& path);
+[[nodiscard]] std::vector<Recording> named_recordings(Recordings found, const std::string& path,
+                                                      std::vector<Warning>& warnings);
 
 /// Checks that files which were opened before are those of the paths.
 /// @throws InputError  where there are some, but not one for each path.

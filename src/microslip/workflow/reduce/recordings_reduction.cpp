@@ -33,34 +33,34 @@ namespace {
 /// The recordings, each opened when it is asked for, unless it was before.
 class OpenedRecordings {
  public:
-  explicit OpenedRecordings(const RecordingsReduction& options) : options_(options) {
-    check_opened(options.opened, options.recordings);
+  explicit OpenedRecordings(const ReductionInputs& inputs) : inputs_(inputs) {
+    check_opened(inputs.opened, inputs.recordings);
   }
 
   /// Whether the first that can be opened is a table of stepped sines. Others may be left out: at()
   /// tells why.
   bool begin_with_table() {
-    if (!options_.opened.empty()) return is_table(options_.opened.front());
-    for (first_at_ = 0; first_at_ < options_.recordings.size(); ++first_at_) {
+    if (!inputs_.opened.empty()) return is_table(inputs_.opened.front());
+    for (first_at_ = 0; first_at_ < inputs_.recordings.size(); ++first_at_) {
       try {
-        first_ = open_test(options_.recordings[first_at_]);
+        first_ = open_test(inputs_.recordings[first_at_]);
         return is_table(*first_);
       } catch (const Error&) {
-        if (!options_.skip_faulty) return false;
+        if (!inputs_.skip_faulty) return false;
       }
     }
     return false;
   }
 
   [[nodiscard]] TestFile at(std::size_t i) const {
-    if (!options_.opened.empty()) return options_.opened[i];
-    return first_ && i == first_at_ ? *first_ : open_test(options_.recordings[i]);
+    if (!inputs_.opened.empty()) return inputs_.opened[i];
+    return first_ && i == first_at_ ? *first_ : open_test(inputs_.recordings[i]);
   }
 
  private:
   static bool is_table(const TestFile& file) { return file.content == TestContent::kSteppedSine; }
 
-  const RecordingsReduction& options_;
+  const ReductionInputs& inputs_;
   std::optional<TestFile> first_;
   std::size_t first_at_ = 0;
 };
@@ -76,23 +76,23 @@ std::vector<ReducedLevel> reduce_table(const Reducer& reducer, const TestFile& f
   return levels;
 }
 
-ReductionBatch reduce_tables(const Reducer& reducer, const RecordingsReduction& options,
+ReductionBatch reduce_tables(const Reducer& reducer, const ReductionInputs& inputs,
                              const OpenedRecordings& files, std::vector<std::string>& digests) {
   ReductionBatch batch;
-  for (std::size_t i = 0; i < options.recordings.size(); ++i) {
+  for (std::size_t i = 0; i < inputs.recordings.size(); ++i) {
     try {
       const TestFile file = files.at(i);
       std::ranges::move(reduce_table(reducer, file), std::back_inserter(batch.levels));
       digests[i] = file.sha256;
     } catch (const Error& error) {
-      if (!options.skip_faulty) throw;
+      if (!inputs.skip_faulty) throw;
       batch.rejected.push_back({i, error.what()});
     }
   }
   return batch;
 }
 
-ReductionBatch reduce_records(const Reducer& reducer, const RecordingsReduction& options,
+ReductionBatch reduce_records(const Reducer& reducer, const ReductionInputs& inputs,
                               const OpenedRecordings& files, std::vector<std::string>& digests,
                               std::vector<std::vector<Warning>>& warnings) {
   const auto read = [&](std::size_t i) {
@@ -100,12 +100,13 @@ ReductionBatch reduce_records(const Reducer& reducer, const RecordingsReduction&
     if (file.content == TestContent::kSteppedSine) {
       throw_mixed(file.path, "a stepped-sine table", "a record in time");
     }
-    std::vector<Recording> recordings = read_named_recordings(file, options.reading, warnings[i]);
+    std::vector<Recording> recordings =
+        named_recordings(read_recordings(file, inputs.reading), file.path, warnings[i]);
     digests[i] = file.sha256;
     return recordings;
   };
-  return reduce_batch(reducer, options.recordings.size(), read,
-                      {.skip_faulty = options.skip_faulty, .progress = options.progress});
+  return reduce_batch(reducer, inputs.recordings.size(), read,
+                      {.skip_faulty = inputs.skip_faulty, .progress = inputs.progress});
 }
 
 /// The flags say more of the cause than a D below 0.
@@ -133,23 +134,24 @@ MeasuredLevels measured_levels(std::span<const ReducedLevel> levels) {
   return levels_of({"levels", reduction_table(levels).str()});
 }
 
-ReducedRecordings reduce_recordings(const RecordingsReduction& options) {
-  check_distinct_files(options.recordings);
+ReducedRecordings reduce_recordings(const ReductionInputs& inputs,
+                                    const ReductionOptions& options) {
+  check_distinct_files(inputs.recordings);
   constexpr std::size_t kLargestRig = std::size_t{1} << 20U;
-  NamedInput input = options.rig_input
-                         ? *options.rig_input
-                         : NamedInput{options.rig, read_file(options.rig, kLargestRig)};
+  NamedInput input = inputs.test_input
+                         ? *inputs.test_input
+                         : NamedInput{inputs.test, read_file(inputs.test, kLargestRig)};
   const Rig rig = parse_rig(input);
-  Reducer reducer = of_rig(input, [&] { return Reducer(rig, options.reduction); });
-  const std::size_t count = options.recordings.size();
-  ReducedRecordings reduced{std::move(input), options.recordings, std::move(reducer), {}, {}, {}};
+  Reducer reducer = of_rig(input, [&] { return Reducer(rig, options); });
+  const std::size_t count = inputs.recordings.size();
+  ReducedRecordings reduced{std::move(input), inputs.recordings, std::move(reducer), {}, {}, {}};
   reduced.digests.resize(count);
   reduced.warnings.resize(count);
-  OpenedRecordings files(options);
+  OpenedRecordings files(inputs);
   reduced.batch =
       files.begin_with_table()
-          ? reduce_tables(reduced.reducer, options, files, reduced.digests)
-          : reduce_records(reduced.reducer, options, files, reduced.digests, reduced.warnings);
+          ? reduce_tables(reduced.reducer, inputs, files, reduced.digests)
+          : reduce_records(reduced.reducer, inputs, files, reduced.digests, reduced.warnings);
   return reduced;
 }
 

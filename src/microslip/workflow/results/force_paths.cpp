@@ -107,8 +107,8 @@ class ForcePathReader {
       return;
     }
     std::vector<Warning> warnings;  // of the identification
-    recordings_ =
-        read_named_recordings(found.path, reading_of(file_.provenance->options), warnings);
+    recordings_ = named_recordings(
+        read_recordings(found.path, reading_of(file_.provenance->options)), found.path, warnings);
     const bool inside = found.path.starts_with(folder_ + "/");
     out_.files.push_back(
         {inside ? found.path.substr(folder_.size() + 1) : found.path, hash.sha256, {}});
