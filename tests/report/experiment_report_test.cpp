@@ -448,7 +448,7 @@ TEST(ExperimentReport, AParametricModelHasNoSmoothing) {
   ExperimentResults results = exact_results();
   results.joint->scatter = 0.02;
   results.joint->lambda = 1.0;
-  results.joint->parameters = {{"macroslip_force", "8 ± 0.1 N"}};
+  results.joint->parameters = {{"macroslip_force", 8.0, 0.1}};
   const std::string text = summary_text(experiment_report(results));
   EXPECT_TRUE(contains(text, "macroslip_force = 8 ± 0.1 N")) << text;
   EXPECT_FALSE(contains(text, "smoothing = ")) << text;

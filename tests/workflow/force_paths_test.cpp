@@ -14,7 +14,6 @@
 #include "io/support.hpp"
 #include "microslip/io/output/output_files.hpp"
 #include "microslip/workflow/identify/records_identification.hpp"
-#include "microslip/workflow/results/found_by_records.hpp"
 #include "support/force_records.hpp"
 #include "support/messages.hpp"
 
@@ -62,14 +61,15 @@ class Identified : public ::testing::Test {
 };
 
 TEST_F(Identified, SaysWhatTheReportNeeds) {
-  const std::optional<FoundByRecords> found = found_by_records(file, "joint.json");
+  const IdentifiedJoint joint = identified_joint_of(file, "joint.json");
+  const std::optional<FoundByRecords>& found = joint.by_records;
   ASSERT_TRUE(found);
   ASSERT_EQ(found->records.size(), 2U);
   ASSERT_TRUE(found->stiffness);
   EXPECT_LT(found->stiffness->lower, found->stiffness->value);
   EXPECT_GT(found->stiffness->upper, found->stiffness->value);
   EXPECT_FALSE(found->viscous);
-  EXPECT_EQ(found->draws, 100.0);
+  EXPECT_EQ(joint.band_samples, 100.0);
   for (const RecordFound& record : found->records) {
     EXPECT_EQ(record.verdicts.size(), kRecordDepartures.size());
     EXPECT_EQ(record.start, "virgin");
@@ -89,7 +89,7 @@ TEST_F(Identified, LeavesTheResidualThatTheIdentificationHad) {
   EXPECT_TRUE(found.warnings.empty());
   ASSERT_EQ(found.files.size(), 2U);
   EXPECT_EQ(found.files[1].name, "b.csv");
-  const double scatter = found_by_records(file, "")->records[0].scatter;
+  const double scatter = identified_joint_of(file, "").by_records->records[0].scatter;
   const ForcePath& path = found.paths[0];
   EXPECT_EQ(path.source, "a.csv");
   double square = 0.0;
@@ -127,7 +127,7 @@ TEST_F(Identified, NamesTheKeyThatDoesNotFit) {
     for (auto& [name, old] : broken.identification) {
       if (name == key) old = value;
     }
-    return test::message_or("no error", [&] { (void)found_by_records(broken, "j.json"); });
+    return test::message_or("no error", [&] { (void)identified_joint_of(broken, "j.json"); });
   };
   for (const std::string key : {"correlation", "unexplained", "verdict_share", "verdict_noise",
                                 "offset_record", "band_stiffness_N_per_m"}) {

@@ -13,6 +13,7 @@
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/config/json_input.hpp"
+#include "microslip/io/config/named_value_access.hpp"
 #include "microslip/io/config/named_values_json.hpp"
 #include "microslip/io/config/structured_input.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
@@ -191,25 +192,22 @@ void append_object(std::string& text, std::string_view key, const NamedValues& r
 }  // namespace
 
 std::optional<double> covered_to(const JointFile& file) {
-  for (const auto& [name, value] : file.identification) {
-    const double* number = std::get_if<double>(&value);
-    if (name == "covered_to_N" && number != nullptr && *number > 0.0) return *number;
-  }
-  return std::nullopt;
+  const std::optional<double> force = number_in(file.identification, kCoveredToKey);
+  return force > 0.0 ? force : std::nullopt;
 }
 
 std::optional<double> identified_damping(const JointFile& file) {
-  for (const auto& [name, value] : file.identification) {
-    const double* number = std::get_if<double>(&value);
-    if (name == kViscousKey && number != nullptr && *number > 0.0) {
-      throw InputError(fmt::format("identification.{}", name), *number,
-                       "must be 0: predictions do not support a viscous part of a joint",
-                       "Identify the joint without it, or include it in the structure's damping "
-                       "and remove the key.");
-    }
-    if (name == kLinearDampingKey && number != nullptr) return *number;
+  if (const double viscous = identified_viscous(file); viscous > 0.0) {
+    throw InputError(fmt::format("identification.{}", kViscousKey), viscous,
+                     "must be 0: predictions do not support a viscous part of a joint",
+                     "Identify the joint without it, or include it in the structure's damping "
+                     "and remove the key.");
   }
-  return std::nullopt;
+  return number_in(file.identification, kLinearDampingKey);
+}
+
+double identified_viscous(const JointFile& file) {
+  return number_in(file.identification, kViscousKey).value_or(0.0);
 }
 
 JointFile parse_joint(std::string_view text, std::string_view file) {

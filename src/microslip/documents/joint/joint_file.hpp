@@ -23,6 +23,9 @@ struct JointFile {
   NamedValues identification;  ///< range covered, remainder, bands…; empty where the file has none
 };
 
+/// The key of kA of the highest level in an identification, N.
+inline constexpr std::string_view kCoveredToKey = "covered_to_N";
+
 /// kA of the highest level that the joint was identified from, N; nothing where the file does not
 /// give it.
 [[nodiscard]] std::optional<double> covered_to(const JointFile& file);
@@ -42,6 +45,10 @@ inline constexpr std::string_view kViscousKey = "viscous_N_s_per_m";
 /// @throws InputError  where a viscous part c > 0 was identified too: predictions do not support
 ///                     it, and would silently be wrong.
 [[nodiscard]] std::optional<double> identified_damping(const JointFile& file);
+
+/// c of a viscous part that was identified in addition to the friction, N s/m; 0 where the file
+/// gives none.
+[[nodiscard]] double identified_viscous(const JointFile& file);
 
 /// A joint from the text of a joint.json.
 /// @throws FormatError  for text that is no JSON, another schema, keys unknown or missing.

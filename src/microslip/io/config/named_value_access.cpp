@@ -16,12 +16,6 @@ std::optional<T> entry(const NamedValues& record, std::string_view name) {
   return std::nullopt;
 }
 
-JsonText list_of(const std::vector<Warning>& warnings, std::string Warning::*member) {
-  std::vector<std::string> texts;
-  for (const Warning& warning : warnings) texts.push_back(warning.*member);
-  return list_of_texts(texts);
-}
-
 }  // namespace
 
 std::optional<double> number_in(const NamedValues& record, std::string_view name) {
@@ -39,11 +33,6 @@ std::vector<double> numbers_in(const NamedValues& record, std::string_view name)
 std::vector<std::string> texts_in(const NamedValues& record, std::string_view name) {
   const std::optional<JsonText> list = entry<JsonText>(record, name);
   return list ? texts_of(*list) : std::vector<std::string>();
-}
-
-void add_warnings(const std::vector<Warning>& warnings, NamedValues& record) {
-  record.emplace_back("warnings", list_of(warnings, &Warning::code));
-  record.emplace_back("warning_texts", list_of(warnings, &Warning::text));
 }
 
 }  // namespace microslip

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/base/summary.hpp"
 #include "microslip/io/config/named_values.hpp"
 
 /// @file
@@ -24,8 +23,5 @@ namespace microslip {
 
 /// A JSON list of texts; empty where there is none.
 [[nodiscard]] std::vector<std::string> texts_in(const NamedValues& record, std::string_view name);
-
-/// Adds what must be known of a result: "warnings", their codes, and "warning_texts".
-void add_warnings(const std::vector<Warning>& warnings, NamedValues& record);
 
 }  // namespace microslip

@@ -31,10 +31,11 @@ double rms_of(const std::vector<double>& values, const RowsOfMode& mode) {
   return std::sqrt(sum / static_cast<double>(mode.rows.size()));
 }
 
+/// @param mode  from 1.
 double offset_of(const ExperimentResults& results, std::size_t mode) {
   if (results.calibration) {
     const auto& offsets = results.calibration->offsets;
-    const auto found = std::ranges::find(offsets, mode, &ModeOffset::mode);
+    const auto found = std::ranges::find(offsets, mode - 1, &ModeOffset::mode);
     if (found != offsets.end()) return found->offset;
   }
   return std::numeric_limits<double>::quiet_NaN();

@@ -37,7 +37,7 @@ FigureOptions method_options(const MethodComparison& methods, const std::string&
 Figure density_with_methods(const ExperimentResults& results,
                             const std::optional<MethodComparison>& methods) {
   if (!methods) return density_figure(results);
-  Figure figure = density_figure(results, method_options(*methods, results.joint->method));
+  Figure figure = density_figure(results, method_options(*methods, results.joint->found_by()));
   // A joint of atoms alone has no density beside which the others would be drawn.
   if (std::ranges::find(figure.layers, kSplineName, legend_of) == figure.layers.end())
     return figure;

@@ -163,7 +163,7 @@ ReportFacts certainty_of_records(const IdentifiedJoint& joint) {
     add("density known to", fmt::format("± {} (median half-width of the {:.0f} % band)",
                                         percent_text(*width), 100.0 * joint.band_confidence));
   }
-  if (found.draws) add("posterior draws", fmt::format("{:.0f}", *found.draws));
+  if (joint.band_samples) add("posterior draws", fmt::format("{:.0f}", *joint.band_samples));
   add("solver", joint.status);
   add("total slip force", fmt::format("{:.4g} N", joint.joint.macroslip_force()));
   return facts;

@@ -30,8 +30,8 @@ std::string origin(const ExperimentResults& results) {
     return fmt::format("A joint of stuck stiffness {:.4g} kN/m. Its file does not state the method",
                        k);
   }
-  std::string text =
-      fmt::format("A joint of stuck stiffness {:.4g} kN/m was identified by {}", k, found.method);
+  std::string text = fmt::format("A joint of stuck stiffness {:.4g} kN/m was identified by {}", k,
+                                 found.found_by());
   if (!results.levels) return text;
   return text + (found.from_these_levels
                      ? fmt::format(" from {}", counted(used_count(*results.levels), "level"))
@@ -92,11 +92,19 @@ std::string scatter_of(const IdentifiedJoint& found) {
 
 std::string smoothing_of(const IdentifiedJoint& found) {
   std::string text =
-      fmt::format("λ = {:.3g}{}", *found.lambda, found.method == "spline" ? " m³" : "");
+      fmt::format("λ = {:.3g}{}", *found.lambda, found.found_by() == "spline" ? " m³" : "");
   if (found.degrees_of_freedom) {
     text += fmt::format(", {:.1f} degrees of freedom", *found.degrees_of_freedom);
   }
   return text + (found.smoothing.empty() ? "" : fmt::format(" ({})", found.smoothing));
+}
+
+/// Forces have a unit; other parameters have none, or one that the model gives.
+std::string parameter_text(const ParameterFound& parameter) {
+  std::string text = fmt::format("{:.4g}", parameter.value);
+  if (parameter.error.value_or(0.0) > 0.0) text += fmt::format(" ± {:.2g}", *parameter.error);
+  if (parameter.name.ends_with("force") || parameter.name == "to") text += " N";
+  return text + (parameter.error == 0.0 ? " (at the end of its range)" : "");
 }
 
 ReportFacts certainty(const ExperimentResults& results) {
@@ -105,7 +113,7 @@ ReportFacts certainty(const ExperimentResults& results) {
     facts.facts.emplace_back(name, std::move(value));
   };
   const IdentifiedJoint& found = *results.joint;
-  add("method", found.method.empty() ? "not given in the file" : found.method);
+  add("method", found.found_by().empty() ? "not given in the file" : found.found_by());
   if (results.levels && found.from_these_levels) {
     add("levels", fmt::format("{}", used_count(*results.levels)));
   }
@@ -128,7 +136,10 @@ ReportFacts certainty(const ExperimentResults& results) {
     if (found.lambda) add("smoothing", smoothing_of(found));
   }
   if (results.levels) add("misfit to the levels shown", misfit_text(results));
-  for (const auto& [name, value] : found.parameters) add(name.c_str(), value);
+  for (const ParameterFound& one : found.parameters) {
+    if (one.name.ends_with("linear_damping")) continue;  // it has a line of its own
+    add(one.name.c_str(), parameter_text(one));
+  }
   if (found.linear_damping) {
     add("linear damping fitted",
         fmt::format("{:.4g} J/m² (adds to D with A²)", *found.linear_damping));

@@ -6,7 +6,6 @@
 
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/documents/structure/rig_file.hpp"
-#include "microslip/io/config/named_value_access.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/rig/setup/stick_state.hpp"
@@ -70,8 +69,7 @@ class RigJoint : public CampaignJoints {
     identified_ = identify_pooled(all.levels, first, progress);
     const Identification& found = identified_->found;
     all.sessions = effects_by(all.levels, found);
-    joint_ = identified_joint(found, identification_.options, {identified_->input}, run_.command,
-                              identification_.texts);
+    joint_ = joint_of(found);
     if (!all.levels.levels.secant_stiffness.empty()) {
       for (const double a : all.levels.levels.amplitude) {
         all.found.secant_stiffness.push_back(secant_stiffness(found.joint, a));
@@ -123,10 +121,12 @@ class RigJoint : public CampaignJoints {
   }
 
   [[nodiscard]] std::vector<ResultFile> files(const DoneCampaign& all) override {
-    tell_joint(all.warnings);
+    // Warnings on the tests together belong to the joint, in addition to those on its levels.
+    Identification told = identified_->found;
+    told.warnings = all.warnings;
     std::vector<ResultFile> files = planned_files_of_rig(run_, plan_);
     files[0].content = identified_->input.text;
-    files[1].content = format_joint(joint_);
+    files[1].content = format_joint(joint_of(told));
     if (plan_.draws == 0) return files;
     files[2].content =
         samples_bytes(identified_->found, identification_.options, identified_->input, run_.command,
@@ -135,6 +135,11 @@ class RigJoint : public CampaignJoints {
   }
 
  private:
+  [[nodiscard]] JointFile joint_of(const Identification& found) const {
+    return identified_joint(found, identification_.options, {identified_->input}, run_.command,
+                            identification_.texts);
+  }
+
   [[nodiscard]] SessionEffects effects_by(const CampaignLevels& levels,
                                           const Identification& found) const {
     return session_effects(plan_, levels, state_, found.joint, found.linear_damping.value_or(0.0));
@@ -165,15 +170,6 @@ class RigJoint : public CampaignJoints {
     LevelsIdentification options = identification_;
     if (options.options.bands) options.options.bands->progress = progress;
     return identify_table(pooled(levels, offsets_of_levels(effects, plan_, levels)), options);
-  }
-
-  /// Warnings on the tests together belong to the joint, in addition to those on its levels.
-  void tell_joint(const std::vector<Warning>& warnings) {
-    NamedValues& record = joint_.identification;
-    std::erase_if(record, [](const auto& entry) {
-      return entry.first == "warnings" || entry.first == "warning_texts";
-    });
-    add_warnings(warnings, record);
   }
 
   const CampaignRun& run_;

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/documents/joint/identified_joint.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
-#include "microslip/io/config/named_value_access.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/open/recording_file.hpp"
 #include "microslip/workflow/compare/loops_comparison.hpp"
@@ -96,13 +95,18 @@ std::vector<ComparedTest> compare_test(const ReadTest& test, const ModelFile& mo
 
 void add_joint_warnings(const std::string& path, const JointFile& file,
                         std::vector<Warning>& warnings) {
-  const std::vector<std::string> departure = texts_in(file.identification, "verdict_departure");
-  const std::vector<std::string> verdict = texts_in(file.identification, "verdict");
+  const IdentifiedJoint joint = identified_joint_of(file, path);
   std::vector<std::string> broken;
-  for (std::size_t i = 0; i < std::min(departure.size(), verdict.size()); ++i) {
-    if (verdict[i] == "broken" && std::ranges::count(broken, departure[i]) == 0) {
-      broken.push_back(departure[i]);
+  const auto add_broken = [&](const std::vector<DepartureFound>& verdicts) {
+    for (const DepartureFound& one : verdicts) {
+      if (one.broken && std::ranges::count(broken, one.departure) == 0) {
+        broken.push_back(one.departure);
+      }
     }
+  };
+  add_broken(joint.verdicts);
+  if (joint.by_records) {
+    for (const RecordFound& record : joint.by_records->records) add_broken(record.verdicts);
   }
   if (!broken.empty()) {
     warnings.push_back(
@@ -110,10 +114,9 @@ void add_joint_warnings(const std::string& path, const JointFile& file,
          fmt::format("{} was identified as NOT A MASING JOINT: {}. It is the closest such joint.",
                      path, fmt::join(broken, ", "))});
   }
-  const std::string status = text_in(file.identification, "status").value_or("");
-  if (!status.empty() && status != kConvergedStatus) {
-    warnings.push_back(
-        {"joint_not_converged", fmt::format("the identification of {} is {}.", path, status)});
+  if (joint.status != kStatusNotTold && joint.status != kConvergedStatus) {
+    warnings.push_back({"joint_not_converged",
+                        fmt::format("the identification of {} is {}.", path, joint.status)});
   }
 }
 
@@ -156,8 +159,7 @@ class JointPrediction {
  public:
   JointPrediction(const TestsVerification& options, const NamedInput& input)
       : file_(parse_joint(input.text, input_name(input.path))),
-        joint_{file_.joint, 0.0, number_in(file_.identification, kViscousKey).value_or(0.0),
-               covered_to(file_)} {
+        joint_{file_.joint, 0.0, identified_viscous(file_), covered_to(file_)} {
     if (joint_.viscous == 0.0) joint_.linear_damping = identified_damping(file_).value_or(0.0);
     if (options.draws) draws_ = draws_of(file_, options.uncertain, *options.draws);
     add_joint_warnings(input_name(input.path), file_, warnings_);

@@ -11,12 +11,12 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/base/version.hpp"
-#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/documents/joint/joint_samples_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/workflow/identify/assembly_tables.hpp"
+#include "microslip/workflow/identify/found_joint.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
@@ -82,15 +82,13 @@ void compose_assemblies(const AssembliesIdentification& options, IdentifiedAssem
   const Provenance provenance = assemblies_provenance(options, done);
   const std::string comment = assemblies_comment(options, done);
   auto file = done.files.begin();
-  (file++)->content =
-      format_joint({done.found.joint(), provenance, record_of_assemblies(done.found)});
+  (file++)->content = format_joint(joint_file_of(found_joint(done.found), provenance));
   file->content = joint_samples_bytes(samples_of_next(done.found, provenance), file->path);
   ++file;
   (file++)->content = commented_assembly_table(assemblies_table(done.found, done.read), comment);
   (file++)->content = commented_assembly_table(densities_table(done.found), comment);
   for (std::size_t j = 0; j < done.found.assemblies.size(); ++j) {
-    (file++)->content =
-        format_joint({done.found.joint(j), provenance, record_of_assembly(done.found, j)});
+    (file++)->content = format_joint(joint_file_of(found_joint(done.found, j), provenance));
   }
 }
 

@@ -12,7 +12,6 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/base/version.hpp"
-#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/documents/joint/joint_samples_file.hpp"
 #include "microslip/documents/levels/modal_levels_file.hpp"
 #include "microslip/documents/structure/model_writer.hpp"
@@ -24,6 +23,7 @@
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/workflow/identify/calibration_tables.hpp"
+#include "microslip/workflow/identify/found_joint.hpp"
 #include "microslip/workflow/predict/model_draws.hpp"
 #include "microslip/workflow/predict/model_rules.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
@@ -284,7 +284,7 @@ void compose_calibration(const ModelCalibration& options, const ModalLevels& lev
   std::size_t at = 0;
   for (const CalibratedJoint& joint : done.found.joints) {
     done.files[at++].content =
-        format_joint({joint.joint, provenance, record_of_calibration(done.found, joint)});
+        format_joint(joint_file_of(found_joint(done.found, joint), provenance));
     if (!options.keep_draws) continue;
     const JointSamples samples = joint_samples(joint, provenance, options.options.seed);
     done.files[at].content = joint_samples_bytes(samples, done.files[at].path);
@@ -292,7 +292,8 @@ void compose_calibration(const ModelCalibration& options, const ModalLevels& lev
   }
   const std::string comment = comment_of(options, done);
   done.files[at++].content = format_model(model_with_found(options, done), comment);
-  done.files[at++].content = format_calibration({provenance, record_of_calibration(done.found)});
+  done.files[at++].content =
+      format_calibration(calibration_file_of(found_calibration(done.found), provenance));
   done.files[at++].content =
       commented(calibration_table(done.found, levels, names_of_joints(done.model)), comment).str();
   done.files[at++].content = commented(identifiability_table(done.found), comment).str();

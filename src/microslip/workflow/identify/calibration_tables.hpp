@@ -3,11 +3,9 @@
 
 #include "microslip/calibrate/calibration.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
-#include "microslip/io/config/named_values.hpp"
 
 /// @file
-/// Results of calibrate() as tables, and as the identification of a joint.json. Internal
-/// to workflow.
+/// Results of calibrate() as tables. Internal to workflow.
 
 namespace microslip {
 
@@ -18,12 +16,5 @@ namespace microslip {
 /// identifiability.csv: of each joint that was found, over slip force, density with band, and
 /// its variance reduction.
 [[nodiscard]] CsvWriter identifiability_table(const CalibrationResult& found);
-
-/// Record for calibration.json: all levels, modes, joints and pairs of joints.
-[[nodiscard]] NamedValues record_of_calibration(const CalibrationResult& found);
-
-/// The identification of one joint.
-[[nodiscard]] NamedValues record_of_calibration(const CalibrationResult& found,
-                                                const CalibratedJoint& joint);
 
 }  // namespace microslip

@@ -9,8 +9,8 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
-#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/io/bytes/sha256.hpp"
+#include "microslip/workflow/identify/found_joint.hpp"
 #include "microslip/workflow/identify/identification_text.hpp"
 #include "microslip/workflow/predict/joint_draws.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
@@ -76,8 +76,7 @@ IdentifiedLevels identify_table(LevelTable table, const LevelsIdentification& op
 JointFile identified_joint(const Identification& found, const IdentificationOptions& options,
                            const std::vector<NamedInput>& inputs, std::string_view command,
                            const OptionTexts& texts) {
-  return {found.joint, levels_provenance(options, inputs, command, texts),
-          record_of_identification(found)};
+  return joint_file_of(found_joint(found), levels_provenance(options, inputs, command, texts));
 }
 
 std::string joint_text(const Identification& found, const IdentificationOptions& options,

@@ -7,8 +7,9 @@
 
 #include "microslip/base/percent.hpp"
 #include "microslip/base/version.hpp"
-#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/config/named_value_access.hpp"
+#include "microslip/workflow/identify/found_joint.hpp"
 #include "microslip/workflow/identify/identification_text.hpp"
 #include "microslip/workflow/predict/joint_draws.hpp"
 #include "microslip/workflow/reduce/level_table.hpp"
@@ -60,13 +61,13 @@ std::string_view origin_of(const RecordStart& start, const RecordsIdentification
 }
 
 /// Sources of the records, and how their initial state was determined.
-void add_sources(const RecordsIdentification& options, const IdentifiedRecords& done,
-                 NamedValues& record) {
-  std::vector<std::string> start_from;
-  for (const RecordStart& start : done.start) start_from.emplace_back(origin_of(start, options));
-  record.emplace_back("start_from", list_of_texts(start_from));
-  record.emplace_back("record_source", list_of_texts(done.source));
-  record.emplace_back("record_input", done.input);
+void set_sources(const RecordsIdentification& options, const IdentifiedRecords& done,
+                 std::vector<RecordFound>& records) {
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    records[r].start_from = origin_of(done.start[r], options);
+    records[r].source = done.source[r];
+    records[r].input = done.input[r];
+  }
 }
 
 std::string describe_start(const RecordStart& start) {
@@ -140,6 +141,13 @@ void gather_levels(const RecordsIdentification& options, Gathered& all) {
 
 }  // namespace
 
+RecordedReading recorded_reading(const NamedValues& options) {
+  return {.channels = {.force = text_in(options, "force").value_or(""),
+                       .displacement = text_in(options, "displacement").value_or("")},
+          .reading = {.allow_truncated = text_in(options, "allow_truncated") == "yes",
+                      .assumed_units = parse_assumed_units(texts_in(options, "assume_units"))}};
+}
+
 IdentifiedRecords identify_records(const RecordsIdentification& options) {
   Gathered all;
   gather_records(options, all);
@@ -158,9 +166,9 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
 
 JointFile identified_joint(const RecordsIdentification& options, const IdentifiedRecords& done,
                            std::string_view command) {
-  NamedValues identification = record_of_identification(done.found);
-  add_sources(options, done, identification);
-  return {done.found.joint, records_provenance(options, done, command), std::move(identification)};
+  IdentifiedJoint found = found_joint(done.found);
+  set_sources(options, done, found.by_records->records);
+  return joint_file_of(found, records_provenance(options, done, command));
 }
 
 std::string joint_text(const RecordsIdentification& options, const IdentifiedRecords& done,

@@ -55,6 +55,16 @@ struct IdentifiedRecords {
 /// @throws Cancelled   as the progress of the options says.
 [[nodiscard]] IdentifiedRecords identify_records(const RecordsIdentification& options);
 
+/// How records were read that a joint was identified from.
+struct RecordedReading {
+  JointChannels channels = {};        ///< of each of them
+  RecordingReadOptions reading = {};  ///< of their files
+};
+
+/// As the options in its joint.json say.
+/// @throws InputError  as parse_assumed_units().
+[[nodiscard]] RecordedReading recorded_reading(const NamedValues& options);
+
 /// Contents of joint.json.
 /// @param options  that it was found with.
 /// @param done     what was found.

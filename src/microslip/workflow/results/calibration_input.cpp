@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/workflow/results/calibration_input.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <utility>
 
-#include "microslip/base/error.hpp"
-#include "microslip/io/config/named_value_access.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/workflow/identify/assembly_levels.hpp"
 #include "microslip/workflow/results/sampled_curves.hpp"
@@ -18,7 +14,6 @@
 namespace microslip {
 namespace {
 
-constexpr std::string_view kCalibrateAgain = "Write it again by microslip calibrate.";
 constexpr double kMostModes = 1e6;
 
 /// Numbers of modes, from 1, and the displacement that is drawn over.
@@ -64,101 +59,6 @@ void add_joint_columns(const CsvTable& table, const std::vector<JointColumn>& co
     if (of == columns.end()) continue;
     add_joint_column(levels.joints, column.name.substr(of->prefix.size()), of->values,
                      table.numbers(column.name, *of->dimension));
-  }
-}
-
-/// Reads an object of a file of calibrate key by key, and names the one at fault.
-class CalibrationKeys {
- public:
-  /// @param object  its name in the file.
-  CalibrationKeys(const NamedValues& values, const std::string& path, const char* object)
-      : values_(values), path_(path), object_(object) {}
-
-  [[nodiscard]] double number(std::string_view key) const {
-    const std::optional<double> value = number_in(values_, key);
-    if (!value) reject(key, "missing or not a number");
-    return *value;
-  }
-
-  [[nodiscard]] std::string text(std::string_view key) const {
-    const std::optional<std::string> value = text_in(values_, key);
-    if (!value) reject(key, "missing or not a text");
-    return *value;
-  }
-
-  [[nodiscard]] std::vector<double> numbers(std::string_view key, std::size_t count) const {
-    std::vector<double> values = numbers_in(values_, key);
-    check_count(key, values.size(), count);
-    return values;
-  }
-
-  [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t count) const {
-    std::vector<std::string> values = texts_in(values_, key);
-    check_count(key, values.size(), count);
-    return values;
-  }
-
- private:
-  [[nodiscard]] std::string name_of(std::string_view key) const {
-    return fmt::format("{}: {}.{}", path_, object_, key);
-  }
-
-  [[noreturn]] void reject(std::string_view key, const char* state) const {
-    throw InputError(name_of(key), InputState{state}, "must be given",
-                     std::string(kCalibrateAgain));
-  }
-
-  void check_count(std::string_view key, std::size_t found, std::size_t expected) const {
-    if (found == expected) return;
-    throw InputError(name_of(key), fmt::format("{} values", found),
-                     fmt::format("must be {}, to match the other data", expected),
-                     std::string(kCalibrateAgain));
-  }
-
-  const NamedValues& values_;
-  const std::string& path_;
-  const char* object_;
-};
-
-void add_joints(const NamedValues& values, const CalibrationKeys& keys,
-                CalibrationSummary& summary) {
-  const std::vector<std::string> name = texts_in(values, "joint");
-  const std::size_t count = name.size();
-  const std::vector<double> k = keys.numbers("stiffness_N_per_m", count);
-  const std::vector<double> lower = keys.numbers("stiffness_lower_N_per_m", count);
-  const std::vector<double> upper = keys.numbers("stiffness_upper_N_per_m", count);
-  const std::vector<double> slipping = keys.numbers("slipping_share", count);
-  const std::vector<double> freedom = keys.numbers("degrees_of_freedom", count);
-  const std::vector<double> from = keys.numbers("covered_from_N", count);
-  const std::vector<double> to = keys.numbers("covered_to_N", count);
-  for (std::size_t j = 0; j < count; ++j) {
-    summary.joints.push_back(
-        {name[j], k[j], lower[j], upper[j], slipping[j], freedom[j], from[j], to[j]});
-  }
-}
-
-void add_pairs(const NamedValues& values, const CalibrationKeys& keys,
-               CalibrationSummary& summary) {
-  const std::vector<std::string> first = texts_in(values, "pair_first");
-  const std::size_t count = first.size();
-  const std::vector<std::string> second = keys.texts("pair_second", count);
-  const std::vector<double> correlation = keys.numbers("pair_correlation", count);
-  const std::vector<double> alone = keys.numbers("pair_spread_alone", count);
-  const std::vector<double> together = keys.numbers("pair_spread_together", count);
-  const std::vector<std::string> verdict = keys.texts("pair_verdict", count);
-  for (std::size_t i = 0; i < count; ++i) {
-    summary.pairs.push_back({first[i], second[i], correlation[i], alone[i], together[i],
-                             verdict[i] == "known_only_together"});
-  }
-}
-
-void add_offsets(const NamedValues& values, const CalibrationKeys& keys,
-                 CalibrationSummary& summary) {
-  const std::vector<double> mode = numbers_in(values, "offset_mode");
-  const std::vector<double> offset = keys.numbers("frequency_offset", mode.size());
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    if (!(mode[i] >= 1.0 && mode[i] <= kMostModes)) continue;
-    summary.offsets.push_back({static_cast<std::size_t>(mode[i]), offset[i]});
   }
 }
 
@@ -242,53 +142,24 @@ std::vector<DensityFound> densities_of(const NamedInput& input) {
   return found;
 }
 
-DensityFound density_found_of(const std::string& name, const JointFile& file,
-                              const std::string& path) {
-  const NamedValues& said = file.identification;
-  DensityFound found{.name = name, .slip_force = numbers_in(said, "band_slip_force_N")};
-  const CalibrationKeys keys(said, path, "identification");
-  const std::size_t count = found.slip_force.size();
-  found.confidence = number_in(said, "band_confidence").value_or(found.confidence);
-  if (count >= 2) {
-    for (const double force : found.slip_force) {
-      found.density.push_back(file.joint.density().density(force));
-    }
-    found.lower = keys.numbers("band_lower_per_N", count);
-    found.upper = keys.numbers("band_upper_per_N", count);
-    found.told = numbers_in(said, "told");
-    if (!found.told.empty()) (void)keys.numbers("told", count);
+DensityFound density_found_of(const std::string& name, const IdentifiedJoint& joint) {
+  DensityFound found{.name = name};
+  const SlipDensity& density = joint.joint.density();
+  if (joint.band_slip_force.size() < 2) {
+    const double largest = density.largest_slip_force();
+    const double to = joint.covered_to.value_or(0.0) > 0.0 ? *joint.covered_to : largest;
+    DensityPoints points = density_points(joint.joint, 0.0, to);
+    found.slip_force = std::move(points.slip_force);
+    found.density = std::move(points.density);
     return found;
   }
-  const double largest = file.joint.density().largest_slip_force();
-  DensityPoints points = density_points(file.joint, 0.0, covered_to(file).value_or(largest));
-  found.slip_force = std::move(points.slip_force);
-  found.density = std::move(points.density);
+  found.slip_force = joint.band_slip_force;
+  for (const double force : found.slip_force) found.density.push_back(density.density(force));
+  found.lower = joint.band_lower;
+  found.upper = joint.band_upper;
+  found.confidence = joint.band_confidence;
+  if (joint.by_calibration) found.told = joint.by_calibration->told;
   return found;
-}
-
-CalibrationSummary calibration_summary_of(const CalibrationFile& file, const std::string& path) {
-  const NamedValues& values = file.calibration;
-  const CalibrationKeys keys(values, path, "calibration");
-  CalibrationSummary summary{
-      .status = keys.text("status"),
-      .levels = keys.number("levels"),
-      .levels_found = keys.number("levels_found"),
-      .confidence = keys.number("band_confidence"),
-      .scatter = keys.number("scatter"),
-      .scatter_is_relative = keys.text("scatter_of") == "dissipation",
-      .frequency_scatter = keys.number("frequency_scatter"),
-      .frequency_scatter_is_relative = keys.text("frequency_scatter_of") == "frequency",
-      .known_in_sum = texts_in(values, "known_in_sum")};
-  if (file.provenance) {
-    summary.frequency_use = text_in(file.provenance->options, "frequency").value_or("");
-  }
-  add_joints(values, keys, summary);
-  add_offsets(values, keys, summary);
-  add_pairs(values, keys, summary);
-  const std::vector<std::string> code = texts_in(values, "warnings");
-  const std::vector<std::string> text = keys.texts("warning_texts", code.size());
-  for (std::size_t i = 0; i < code.size(); ++i) summary.warnings.push_back({code[i], text[i]});
-  return summary;
 }
 
 }  // namespace microslip

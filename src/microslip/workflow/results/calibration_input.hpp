@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/documents/joint/joint_file.hpp"
-#include "microslip/documents/study/calibration_file.hpp"
+#include "microslip/documents/joint/identified_joint.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/workflow/results/calibration_results.hpp"
 
@@ -26,14 +25,7 @@ namespace microslip {
 /// @throws FormatError  where a column is missing, or slip forces of a joint do not rise.
 [[nodiscard]] std::vector<DensityFound> densities_of(const NamedInput& input);
 
-/// The density of a joint.json with its band, and its variance reduction where the file has it.
-/// @throws InputError  where lists that belong together differ in length.
-[[nodiscard]] DensityFound density_found_of(const std::string& name, const JointFile& file,
-                                            const std::string& path);
-
-/// calibration.json. @throws InputError  naming a key that is missing, or a list of another length
-///                                       than those that it belongs to.
-[[nodiscard]] CalibrationSummary calibration_summary_of(const CalibrationFile& file,
-                                                        const std::string& path);
+/// The density of a joint with its band, and its variance reduction where its file has it.
+[[nodiscard]] DensityFound density_found_of(const std::string& name, const IdentifiedJoint& joint);
 
 }  // namespace microslip

@@ -95,7 +95,7 @@ class FolderReader {
   void read_joint_files() {
     if (const auto input = find("joint.json")) {
       const JointFile file = parse_joint(input->text, input->path);
-      results_.joint = joint_of(file, input->path);
+      results_.joint = identified_joint_of(file, input->path);
       if (file.provenance) note_joint_provenance(*file.provenance);
       read_records(file);
     }
@@ -427,9 +427,8 @@ bool add_result_file(const std::string& kind, const std::string& text, const std
   if (kind == kLevelsKind) {
     results.levels = levels_of(input);
   } else if (kind == kJointKind) {
-    const JointFile file = parse_joint(text, path);
-    results.joint = joint_of(file, path);
-    DensityFound density = density_found_of(fs::path(path).stem().string(), file, path);
+    results.joint = identified_joint_of(parse_joint(text, path), path);
+    DensityFound density = density_found_of(fs::path(path).stem().string(), *results.joint);
     if (!density.told.empty()) results.densities.push_back(std::move(density));
   } else if (kind == kVerificationKind) {
     results.comparisons = comparisons_of(input);

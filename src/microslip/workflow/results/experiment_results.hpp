@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
+#include "microslip/documents/joint/identified_joint.hpp"
 #include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/rig/setup/rig.hpp"
@@ -22,42 +23,6 @@
 
 namespace microslip {
 
-/// A departure from the kind of joint, as it was looked for in a record or in levels.
-struct DepartureFound {
-  std::string departure = {};  ///< its code: "rate_dependent"
-  double share = 0.0;          ///< of the force, or of what the levels tell, that it explains, 1
-  double noise = 0.0;          ///< that it would of noise alone, 1
-  bool broken = false;         ///< whether it is there
-};
-
-/// Results of the identification for a record of force and displacement.
-struct RecordFound {
-  std::string source = {};                    ///< its file, as its call named it
-  std::string start = {};                     ///< "virgin" or "unknown": the state it begins in
-  std::string start_from = {};                ///< who says so: "shown", "given", "assumed"
-  double scatter = 0.0;                       ///< of the force of one sample, N
-  double correlation = 0.0;                   ///< of neighbouring residuals, 1
-  double unexplained = 0.0;                   ///< rms of residuals over that of the force, 1
-  std::vector<double> offset = {};            ///< F₀ of each group of samples, N
-  std::vector<DepartureFound> verdicts = {};  ///< the weightiest first
-};
-
-/// A value with the ends of its band.
-struct BandedValue {
-  double value = 0.0;  ///< in the unit of all three
-  double lower = 0.0;  ///< end of the band
-  double upper = 0.0;  ///< the other end
-};
-
-/// Results of an identification from records of force and displacement.
-struct FoundByRecords {
-  std::optional<BandedValue> stiffness = {};  ///< k, N/m; nothing where it was given
-  std::optional<BandedValue> elastic = {};    ///< K_e, N/m
-  std::optional<BandedValue> viscous = {};    ///< c, N s/m; nothing where it was not sought
-  std::optional<double> draws = {};           ///< of the posterior
-  std::vector<RecordFound> records = {};      ///< one per record
-};
-
 /// A record of force and displacement, and what the joint makes of its path. Vectors of one length.
 struct ForcePath {
   std::size_t record = 0;                 ///< of FoundByRecords::records
@@ -69,38 +34,6 @@ struct ForcePath {
   std::vector<double> found = {};         ///< of the joint with the offset, N; NaN where not known
   double displacement_noise = 0.0;        ///< standard deviation of a sample, m
   std::size_t reversals = 0;              ///< of the path
-};
-
-/// The status of an identification whose file does not tell it.
-inline constexpr std::string_view kStatusNotTold = "not given in the file";
-
-/// A joint with the results of its identification. A joint without a method was not identified as
-/// far as its file tells, and the report does not say so.
-struct IdentifiedJoint {
-  Joint joint;                                    ///< as identified
-  std::string method = {};                        ///< "inversion"
-  std::string status = {};                        ///< "converged"
-  bool from_these_levels = false;                 ///< identified from the levels of the results
-  std::optional<double> covered_from = {};        ///< kA_min, N
-  std::optional<double> covered_to = {};          ///< kA_max, N
-  std::optional<double> linear_damping = {};      ///< β of D = … + βA², J/m²
-  std::vector<std::string> warnings = {};         ///< codes
-  std::vector<std::string> warning_texts = {};    ///< one a code, or none
-  std::optional<FoundByRecords> by_records = {};  ///< of an identification from records
-  std::vector<DepartureFound> verdicts = {};      ///< of one from levels: what they were tested for
-  std::optional<double> scatter = {};             ///< of D of its levels, in the unit that follows
-  bool scatter_is_relative = true;            ///< to D; in the standard deviations given otherwise
-  std::optional<double> secant_scatter = {};  ///< of k_eq, in the standard deviations given
-  std::optional<double> lambda = {};          ///< its smoothing, as its method scales it
-  std::string smoothing = {};                 ///< how λ was chosen: "as specified"
-  std::optional<double> degrees_of_freedom = {};  ///< of the smoothed fit, 1
-  /// Of a parametric model: names with units, and values with their standard errors.
-  std::vector<std::pair<std::string, std::string>> parameters = {};
-  // The band, where there is one; one length.
-  double band_confidence = 0.0;              ///< 1
-  std::vector<double> band_slip_force = {};  ///< N
-  std::vector<double> band_lower = {};       ///< 1/N
-  std::vector<double> band_upper = {};       ///< 1/N
 };
 
 /// A signal over some cycles.

@@ -11,12 +11,10 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/io/config/named_value_access.hpp"
 #include "microslip/io/open/recording_file.hpp"
 #include "microslip/observe/record_force.hpp"
 #include "microslip/workflow/identify/records_identification.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
-#include "microslip/workflow/results/found_by_records.hpp"
 
 namespace microslip {
 namespace {
@@ -53,13 +51,6 @@ Warning missing_warning(const InputHash& input, bool changed) {
                                         input.file)};
 }
 
-/// As the call of the identification had them.
-RecordingReadOptions reading_of(const NamedValues& options) {
-  const std::vector<std::string> units = texts_in(options, "assume_units");
-  return {.allow_truncated = text_in(options, "allow_truncated") == "yes",
-          .assumed_units = parse_assumed_units(units)};
-}
-
 /// Reads the records of one file after the other.
 class ForcePathReader {
  public:
@@ -67,31 +58,30 @@ class ForcePathReader {
       : file_(file), folder_(std::move(folder)), out_(out) {}
 
   void read(std::span<const std::size_t> records, const Progress& progress) {
-    const std::optional<FoundByRecords> found = found_by_records(file_, "joint.json");
+    const std::optional<FoundByRecords> found = identified_joint_of(file_, "joint.json").by_records;
     if (!found || !file_.provenance) return;
     viscous_ = found->viscous ? found->viscous->value : 0.0;
-    const std::vector<double> input = numbers_in(file_.identification, "record_input");
     std::vector<std::size_t> wanted(records.begin(), records.end());
-    const std::size_t count = std::min(input.size(), found->records.size());
-    std::erase_if(wanted, [count](std::size_t record) { return record >= count; });
+    std::erase_if(wanted, [&](std::size_t record) { return record >= found->records.size(); });
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      add(wanted[i], input, found->records[wanted[i]]);
+      add(wanted[i], found->records);
       if (progress && !progress(i + 1, wanted.size())) throw Cancelled();
     }
   }
 
  private:
-  void add(std::size_t record, const std::vector<double>& input, const RecordFound& found) {
-    const double number = input[record];
+  void add(std::size_t record, const std::vector<RecordFound>& found) {
+    const double number = found[record].input;
     const std::vector<InputHash>& inputs = file_.provenance->inputs;
     if (!(number >= 1.0 && number <= static_cast<double>(inputs.size()))) return;
     const InputHash& hash = inputs[static_cast<std::size_t>(number) - 1];
     const auto before = static_cast<std::size_t>(
-        std::count(input.begin(), input.begin() + static_cast<std::ptrdiff_t>(record), number));
+        std::ranges::count(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(record),
+                           number, &RecordFound::input));
     try {
       if (number != number_) open(hash, number);
       if (before >= recordings_.size()) return;
-      add(record, recordings_[before], found);
+      add(record, recordings_[before], found[record]);
     } catch (const Error& error) {
       out_.warnings.push_back({"record_not_shown", error.what()});
     }
@@ -108,17 +98,16 @@ class ForcePathReader {
     }
     std::vector<Warning> warnings;  // of the identification
     recordings_ = named_recordings(
-        read_recordings(found.path, reading_of(file_.provenance->options)), found.path, warnings);
+        read_recordings(found.path, recorded_reading(file_.provenance->options).reading),
+        found.path, warnings);
     const bool inside = found.path.starts_with(folder_ + "/");
     out_.files.push_back(
         {inside ? found.path.substr(folder_.size() + 1) : found.path, hash.sha256, {}});
   }
 
   void add(std::size_t number, const Recording& recording, const RecordFound& found) {
-    const NamedValues& options = file_.provenance->options;
     const ForceRecord record =
-        force_record(recording, {.force = text_in(options, "force").value_or(""),
-                                 .displacement = text_in(options, "displacement").value_or("")});
+        force_record(recording, recorded_reading(file_.provenance->options).channels);
     const bool virgin = found.start == to_string(PathStart::kVirgin);
     const RecordEvidence evidence(record, virgin ? PathStart::kVirgin : PathStart::kUnknown);
     ForcePath path{.record = number,

@@ -216,7 +216,8 @@ ResultInput read_joints(const std::vector<std::string>& paths) {
       throw InputError("IN", in_quotes(path), "must be a joint.json where several are named",
                        "Draw it separately.");
     }
-    input.test.densities.push_back(density_found_of(name, read_joint(path), path));
+    input.test.densities.push_back(
+        density_found_of(name, identified_joint_of(read_joint(path), path)));
   }
   return input;
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "microslip/documents/joint/density_file.hpp"
-#include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/workflow/results/experiment_results.hpp"
 
@@ -15,10 +14,6 @@
 /// The files of a test as its results. Internal to workflow.
 
 namespace microslip {
-
-/// Missing texts are "not given in the file".
-/// @throws InputError  where the lists of the band are not of one length.
-[[nodiscard]] IdentifiedJoint joint_of(const JointFile& file, const std::string& path);
 
 /// verification.csv. @throws FormatError  where a column is missing.
 [[nodiscard]] std::vector<ChannelMisfit> comparisons_of(const NamedInput& input);
