@@ -103,6 +103,26 @@ TEST(JointedStructure, TakesNoMoreSpringOutThanTheModesHold) {
   expect_message(build(4.1), "they contain 4 N/m at most");
 }
 
+// Two joints at the mass of one mode of 2 rad/s: 3 N/m of each are 6 of the 4 N/m of the mode.
+TEST(JointedStructure, TakesNoMoreSpringsOutThanTheModesHoldTogether) {
+  const ModalModel linear({{2.0, 0.01}}, {{"mass", {1.0}}});
+  const StructuralJoint joint{
+      .name = "a", .joint = testing::iwan_joint(), .shape = {1.0}, .spring_in_modes = 3.0};
+  StructuralJoint other = joint;
+  other.name = "b";
+  const auto build = [&](double second) {
+    other.spring_in_modes = second;
+    return message_or("", [&] { JointedStructure(linear, {joint, other}, {{"mass"}}); });
+  };
+  EXPECT_EQ(build(1.0), "");
+  expect_message(build(3.0), "spring_in_modes of joints 'a', 'b' = 3, 3; must be in the modes");
+  expect_message(build(3.0), "they contain 66.6667 % of these stiffnesses at most");
+  // The softer one alone is too stiff where its shape is large.
+  other.shape = {2.0};
+  expect_message(build(2.0), "spring_in_modes of joint 'b' = 2; must be in the modes");
+  expect_message(build(2.0), "they contain 1 N/m at most");
+}
+
 TEST(JointedStructure, NamesTheJointThatBreaksARule) {
   const ModalModel linear({{1.0, 0.01}, {0.0, 0.0}}, {{"mass", {1.0, 1.0}}});
   const StructuralJoint good{.name = "a", .joint = testing::iwan_joint(), .shape = {1.0, 0.5}};

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/dynamics/structure/residual_flexibility.hpp"
 #include "support/messages.hpp"
 
@@ -144,6 +145,75 @@ TEST(MissingModes, AreThereByTheirResidual) {
   EXPECT_GT(std::abs(short_of.frequency() / truth.frequency() - 1.0), 1e-3);
 }
 
+/// The bar with its end on a spring of k = κ EA/L that the modes contain: λ cot λ = −κ, the shapes
+/// sin(λ(1 − x/L)), of unit modal mass.
+JointedStructure sprung_bar(std::size_t n, double kappa) {
+  const double k = kappa * kWave * kWave;
+  std::vector<Mode> modes;
+  std::vector<double> end;
+  for (std::size_t i = 1; i <= n; ++i) {
+    double low = (static_cast<double>(i) - 0.5) * kPi;  // λ cot λ is 0 here, and −∞ at iπ
+    double high = static_cast<double>(i) * kPi;
+    for (int step = 0; step < 60; ++step) {
+      const double middle = 0.5 * (low + high);
+      (middle / std::tan(middle) > -kappa ? low : high) = middle;
+    }
+    modes.push_back({low * kWave, 0.003});
+    end.push_back(std::sin(low) / std::sqrt(0.5 - 0.25 * std::sin(2.0 * low) / low));
+  }
+  return {ModalModel(std::move(modes), {{"end", end}}),
+          {{.name = "end", .joint = Joint(k, uniform()), .shape = end, .spring_in_modes = k}},
+          {{"end"}}};
+}
+
+// The compliance of the end is 1/(k + EA/L), and can never reach 1/k. Where the spring is as stiff
+// as the bar, the estimate keeps its factor of two.
+TEST(MissingModes, AreNoPartOfSpringsInTheModes) {
+  for (const double kappa : {1.0, 10.0, 100.0}) {
+    const double k = kappa * kWave * kWave;
+    for (const std::size_t n : {2U, 3U, 5U, 8U}) {
+      const JointedStructure structure = sprung_bar(n, kappa);
+      const std::vector<MissingCompliance> found = missing_compliance(structure);
+      ASSERT_EQ(found.size(), 1U);
+      const double truth = 1.0 / (k + kWave * kWave) - found[0].in_modes;
+      EXPECT_GT(found[0].missing, 0.0);
+      EXPECT_LT(found[0].in_modes + found[0].missing, 1.0 / k) << kappa << " " << n;
+      if (kappa > 1.0) continue;
+      EXPECT_GT(found[0].missing, 0.5 * truth) << n;
+      EXPECT_LT(found[0].missing, 2.0 * truth) << n;
+    }
+  }
+}
+
+// Chains of five masses, two of which have a spring to the ground that the modes contain, from weak
+// to nearly all that holds them: the trend of the modes alone is more than the springs leave. The
+// structure with the estimate must be one: without the springs it has a stiffness.
+TEST(MissingModes, LeaveAStructureWithoutTheSprings) {
+  for (const double k : {0.1, 1.0, 10.0, 1e3, 1e6}) {
+    const Eigen::Index size = 5;
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
+    for (Eigen::Index i = 0; i + 1 < size; ++i) {
+      stiffness.block(i, i, 2, 2) += Eigen::Matrix2d{{1.0, -1.0}, {-1.0, 1.0}};
+    }
+    stiffness(0, 0) += k + 1e-3;
+    stiffness(4, 4) += 2.0 * k;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness);
+    std::vector<Mode> modes;
+    StructuralJoint first{"first", Joint(k, uniform()), {}, k};
+    StructuralJoint last{"last", Joint(2.0 * k, uniform()), {}, 2.0 * k};
+    for (Eigen::Index i = 0; i < size; ++i) {
+      modes.push_back({std::sqrt(solver.eigenvalues()(i))});
+      first.shape.push_back(solver.eigenvectors()(0, i));
+      last.shape.push_back(solver.eigenvectors()(4, i));
+    }
+    const JointedStructure structure(ModalModel(std::move(modes), {{"first", first.shape}}),
+                                     {first, last}, {{"first"}});
+    const std::vector<FurtherMode> further = likely_missing_modes(structure);
+    EXPECT_GE(further.size(), 1U) << k;
+    EXPECT_NO_THROW((void)with_further_modes(structure, further).linear().size()) << k;
+  }
+}
+
 // The estimated change is the true one, to the factor of the estimate.
 TEST(MissingModes, AreJudgedOnACurve) {
   const SteadyVibration truth = peak_of(bar(kMany));
@@ -240,6 +310,19 @@ TEST(FurtherModes, LeaveTheOthersAsTheyAre) {
   EXPECT_EQ(more.joints()[0].shape, (std::vector<double>{1.0, 0.5, 6.0}));
   EXPECT_EQ(more.joints()[0].shortening,
             (std::vector<double>{1.0, 2.0, 0.0, 2.0, 3.0, 0.0, 0.0, 0.0, 0.0}));
+}
+
+// A residual of the structure without the spring that the modes contain: the fault is not k's.
+TEST(ResidualFlexibility, IsThatOfTheStructureOfTheModes) {
+  const double k = 10.0 * kWave * kWave;
+  const JointedStructure structure = sprung_bar(3, 10.0);
+  const double held = missing_compliance(structure)[0].in_modes;
+  const auto refusal = [&](double residual) {
+    return message_or("none", [&] { return static_modes(structure, {{}, {"end"}, {residual}}); });
+  };
+  EXPECT_EQ(refusal(1.0 / k - held), "none");
+  expect_message(refusal(1.1 / k - held), "compliance of the residual of joint 'end' = ");
+  expect_message(refusal(1.1 / k - held), "of the spring of 1e+07 N/m that they contain");
 }
 
 TEST(ResidualFlexibility, NamesWhatIsWrong) {

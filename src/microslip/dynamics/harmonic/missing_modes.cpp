@@ -6,14 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <span>
 
+#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/dynamics/structure/residual_flexibility.hpp"
 #include "microslip/structure/static_compliance.hpp"
 
 namespace microslip {
 namespace {
+
+using Eigen::Index;
 
 constexpr double kOrthogonal = 1e-3;  // of two shapes, relative: files may have four digits
 constexpr double kLargeResidual =
@@ -83,6 +87,64 @@ double beyond(std::span<const Mode> modes, std::span<const std::size_t> elastic,
          std::pow(1.0 + 0.5 / end, 1.0 + s - 2.0 * p) / (2.0 * p - s - 1.0);
 }
 
+/// Σ ψ_i ψ_iᵀ/ω_i² of the elastic modes, across each two joints, m/N.
+Eigen::MatrixXd compliance_between_joints(const JointedStructure& structure) {
+  const std::span<const Mode> modes = structure.linear().modes();
+  const auto size = static_cast<Index>(structure.joints().size());
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(size, static_cast<Index>(modes.size()));
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (!(modes[i].angular_frequency > 0.0)) continue;
+    for (Index j = 0; j < size; ++j) {
+      moved(j, static_cast<Index>(i)) =
+          structure.joints()[static_cast<std::size_t>(j)].shape[i] / modes[i].angular_frequency;
+    }
+  }
+  return moved * moved.transpose();
+}
+
+/// (R⁻¹ + B⁻¹)⁻¹ of R = diag(trend), with W = diag(√(kR)) and A = I − K^½CK^½, without a negative
+/// eigenvalue but by rounding: R^½(I − W(A + W²)⁻¹W)R^½.
+Eigen::MatrixXd beside_springs(const JointedStructure& structure, const Eigen::VectorXd& trend) {
+  const auto size = static_cast<Index>(structure.joints().size());
+  Eigen::VectorXd root(size);  // √k
+  for (Index j = 0; j < size; ++j) {
+    root(j) = std::sqrt(structure.joints()[static_cast<std::size_t>(j)].spring_in_modes);
+  }
+  const Eigen::VectorXd scaled = root.cwiseProduct(trend.cwiseSqrt());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rest(
+      (Eigen::MatrixXd::Identity(size, size) -
+       root.asDiagonal() * compliance_between_joints(structure) * root.asDiagonal())
+          .eval());
+  const Eigen::MatrixXd sum = rest.eigenvectors() * rest.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                              rest.eigenvectors().transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      (sum + Eigen::MatrixXd(scaled.cwiseAbs2().asDiagonal())).eval());
+  // Where the sum is 0, W is.
+  const double least = static_cast<double>(size) * std::numeric_limits<double>::epsilon() *
+                       std::max(1.0, solver.eigenvalues().maxCoeff());
+  const Eigen::VectorXd inverse = solver.eigenvalues().unaryExpr(
+      [&](double value) { return value > least ? 1.0 / value : 0.0; });
+  const Eigen::MatrixXd moved =
+      scaled.cwiseProduct(trend.cwiseSqrt()).asDiagonal() * solver.eigenvectors();
+  Eigen::MatrixXd residual = -moved * inverse.asDiagonal() * moved.transpose();
+  residual.diagonal() += trend;
+  return residual;
+}
+
+/// The compliance of likely_missing_modes() across the joints, m/N; 0 × 0 without them.
+Eigen::MatrixXd likely_residual(const JointedStructure& structure) {
+  const std::span<const Mode> modes = structure.linear().modes();
+  const std::vector<std::size_t> elastic = elastic_modes(modes);
+  if (elastic.size() < 2 || structure.joints().empty() || seems_whole(structure.linear())) {
+    return {};
+  }
+  Eigen::VectorXd trend(static_cast<Index>(structure.joints().size()));
+  for (Index j = 0; j < trend.size(); ++j) {
+    trend(j) = beyond(modes, elastic, structure.joints()[static_cast<std::size_t>(j)].shape);
+  }
+  return beside_springs(structure, trend);
+}
+
 std::string percent(double share) { return fmt::format("{:.2g} %", 100.0 * share); }
 
 Warning not_estimated(const std::string& why, const std::string& remedy) {
@@ -95,30 +157,21 @@ Warning not_estimated(const std::string& why, const std::string& remedy) {
 }  // namespace
 
 std::vector<FurtherMode> likely_missing_modes(const JointedStructure& structure) {
-  const std::vector<MissingCompliance> missing = missing_compliance(structure);
-  if (missing.empty()) return {};
-  const double frequency = static_mode_frequency(structure);
-  const std::vector<std::size_t> elastic = elastic_modes(structure.linear().modes());
-  const double loss_factor = structure.linear().modes()[elastic.back()].loss_factor;
-  std::vector<FurtherMode> further;
-  for (std::size_t j = 0; j < missing.size(); ++j) {
-    FurtherMode mode{.mode = {frequency, loss_factor},
-                     .points = std::vector<double>(structure.linear().points().size(), 0.0),
-                     .joints = std::vector<double>(structure.joints().size(), 0.0)};
-    mode.joints[j] = frequency * std::sqrt(missing[j].missing);
-    further.push_back(std::move(mode));
-  }
-  return further;
+  const Eigen::MatrixXd compliance = likely_residual(structure);
+  if (compliance.size() == 0) return {};
+  ResidualFlexibility residual{
+      .compliance = {compliance.reshaped().begin(), compliance.reshaped().end()}};
+  for (const StructuralJoint& joint : structure.joints()) residual.joints.push_back(joint.name);
+  return static_modes(structure, residual);
 }
 
 std::vector<MissingCompliance> missing_compliance(const JointedStructure& structure) {
-  const std::span<const Mode> modes = structure.linear().modes();
-  const std::vector<std::size_t> elastic = elastic_modes(modes);
-  if (elastic.size() < 2 || seems_whole(structure.linear())) return {};
+  const Eigen::MatrixXd residual = likely_residual(structure);
   std::vector<MissingCompliance> found;
-  for (const StructuralJoint& joint : structure.joints()) {
-    found.push_back({joint.name, joint.joint.stiffness(), static_compliance(modes, joint.shape),
-                     beyond(modes, elastic, joint.shape)});
+  for (Index j = 0; j < residual.cols(); ++j) {
+    const StructuralJoint& joint = structure.joints()[static_cast<std::size_t>(j)];
+    found.push_back({joint.name, joint.joint.stiffness(),
+                     static_compliance(structure.linear().modes(), joint.shape), residual(j, j)});
   }
   return found;
 }

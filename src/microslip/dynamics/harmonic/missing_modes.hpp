@@ -29,9 +29,15 @@ struct MissingCompliance {
   [[nodiscard]] double over_joint() const { return stiffness * missing; }
 };
 
-/// Modes that represent those beyond the last, one per joint and moving it alone, all at ω_a
-/// (static_mode_frequency()): their shape there is ω_a √R. R, the static compliance of modes that
-/// go on as the n elastic ones of the model do, is
+/// Modes that represent those beyond the last, static_modes() across the joints of a compliance
+///
+///     (R⁻¹ + B⁻¹)⁻¹,   B = diag(1/k) − C,
+///
+/// with R = diag(R_j) of the trend of the modes, k of the springs that they contain across joints
+/// and C = Σ ψ_i ψ_iᵀ/ω_i². Those springs are no part of what modes leave out: without them the
+/// structure keeps a stiffness for anything less than B. What is taken is below both R and B, half
+/// of the smaller or more; without springs it is R. R_j, the static compliance of modes that go on
+/// as the n elastic ones of the model do, is
 ///
 ///     R = E/ω_n² Σ_{i > n} (i′/n′)^{s − 2p} ≈ E n′/ω_n² (1 + 1/(2n′))^{1 + s − 2p}/(2p − s − 1)
 ///
@@ -45,7 +51,7 @@ struct MissingCompliance {
 ///         Σ_i φ_i(p) φ_i(q) = 0 to a thousandth for each two.
 [[nodiscard]] std::vector<FurtherMode> likely_missing_modes(const JointedStructure& structure);
 
-/// R of each joint; empty where there are no likely_missing_modes().
+/// The compliance of likely_missing_modes() of each joint; empty where there are none.
 [[nodiscard]] std::vector<MissingCompliance> missing_compliance(const JointedStructure& structure);
 
 /// solve_again() in resonance with likely_missing_modes().

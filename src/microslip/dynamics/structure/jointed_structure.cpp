@@ -97,22 +97,55 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix) {
       .eigenvalues();
 }
 
+/// K^½ C K^½ of the springs that the modes contain, k, and the compliance C = Σ ψ_i ψ_iᵀ/ω_i²
+/// across the joints: k of a joint over the largest that the modes can contain on the diagonal.
+Eigen::MatrixXd shares_in_modes(const std::vector<StructuralJoint>& joints,
+                                const ModalModel& linear) {
+  const auto count = static_cast<Index>(joints.size());
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(count, static_cast<Index>(linear.size()));
+  for (Index i = 0; i < moved.cols(); ++i) {
+    const double natural = linear.modes()[static_cast<std::size_t>(i)].angular_frequency;
+    for (Index j = 0; j < count; ++j) {
+      const StructuralJoint& joint = joints[static_cast<std::size_t>(j)];
+      const double over = joint.shape[static_cast<std::size_t>(i)];
+      if (over == 0.0 || joint.spring_in_modes == 0.0) continue;
+      moved(j, i) = std::sqrt(joint.spring_in_modes) * over / natural;  // may be infinite
+    }
+  }
+  return moved * moved.transpose();
+}
+
+/// @throws InputError  where each spring alone could be in the modes, as they are not together.
+[[noreturn]] void refuse_springs_together(const std::vector<StructuralJoint>& joints,
+                                          const ModalModel& linear) {
+  std::string names;
+  std::string values;
+  for (const StructuralJoint& joint : joints) {
+    if (joint.spring_in_modes == 0.0) continue;
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", joint.name);
+    values += fmt::format("{}{:g}", values.empty() ? "" : ", ", joint.spring_in_modes);
+  }
+  throw InputError("spring_in_modes of joints " + names, values,
+                   fmt::format("must be in the modes together: without all of them the structure "
+                               "is unstable; they contain {:.6g} % of these stiffnesses at most",
+                               100.0 / eigenvalues(shares_in_modes(joints, linear)).maxCoeff()),
+                   "Give the stiffnesses of the joints that the modes were computed with.");
+}
+
 /// The stiffness without the springs of the joints must not be negative.
 void check_springs(const std::vector<StructuralJoint>& joints, const ModalModel& linear) {
   constexpr double kRounding = 1e-6;  // of the stiffest mode; modes may be measured
   const Eigen::VectorXd squares =
       eigenvalues(stiffness_matrix(linear, joints, [](const auto&) { return 0.0; }));
   if (squares.minCoeff() >= -kRounding * squares.cwiseAbs().maxCoeff()) return;
-  const auto stiffest = std::ranges::max_element(joints, {}, &StructuralJoint::spring_in_modes);
-  double flexibility = 0.0;  // across the joint
-  for (std::size_t i = 0; i < linear.size(); ++i) {
-    const double natural = linear.modes()[i].angular_frequency;
-    flexibility += stiffest->shape[i] * stiffest->shape[i] / (natural * natural);
-  }
-  throw InputError(member(*stiffest, "spring_in_modes"), stiffest->spring_in_modes,
+  const Eigen::VectorXd shares = shares_in_modes(joints, linear).diagonal();
+  Index most = 0;
+  if (shares.maxCoeff(&most) <= 1.0) refuse_springs_together(joints, linear);
+  const StructuralJoint& stiffest = joints[static_cast<std::size_t>(most)];
+  throw InputError(member(stiffest, "spring_in_modes"), stiffest.spring_in_modes,
                    fmt::format("must be in the modes: without it the structure is unstable; they "
                                "contain {:.6g} N/m at most",
-                               1.0 / flexibility),
+                               stiffest.spring_in_modes / shares(most)),
                    "Give the stiffness of the joint that the modes were computed with.");
 }
 

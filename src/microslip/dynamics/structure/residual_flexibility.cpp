@@ -10,6 +10,7 @@
 
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/structure/static_compliance.hpp"
 
 namespace microslip {
 namespace {
@@ -82,6 +83,25 @@ Eigen::MatrixXd checked_matrix(const ResidualFlexibility& residual) {
   return 0.5 * (matrix + matrix.transpose());
 }
 
+/// A spring of k that the modes contain yields 1/k at most, whatever is beside it.
+void check_beside_springs(const JointedStructure& structure, const std::vector<std::size_t>& joints,
+                          const Eigen::VectorXd& residual) {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const StructuralJoint& joint = structure.joints()[joints[i]];
+    if (joint.spring_in_modes == 0.0) continue;
+    const double most = 1.0 / joint.spring_in_modes;
+    const double in_modes = static_compliance(structure.linear().modes(), joint.shape);
+    const double given = residual(static_cast<Index>(i));
+    if (in_modes + given <= (1.0 + kRounded) * most) continue;
+    throw InputError(
+        fmt::format("compliance of the residual of joint '{}'", joint.name), given,
+        fmt::format("must be at most {:.4g} m/N: with the {:.4g} m/N of the modes not above "
+                    "the 1/k of the spring of {:g} N/m that they contain",
+                    std::max(most - in_modes, 0.0), in_modes, joint.spring_in_modes),
+        "Take the residual of the structure with the spring across the joint, as its modes were.");
+  }
+}
+
 }  // namespace
 
 double static_mode_frequency(const JointedStructure& structure) {
@@ -97,6 +117,8 @@ std::vector<FurtherMode> static_modes(const JointedStructure& structure,
       indices_of(residual.points, structure.linear().points(), "point");
   const std::vector<std::size_t> joints = indices_of(residual.joints, structure.joints(), "joint");
   const Eigen::MatrixXd matrix = checked_matrix(residual);
+  check_beside_springs(structure, joints,
+                       matrix.diagonal().tail(static_cast<Index>(joints.size())));
   const Eigen::VectorXd size = matrix.diagonal().cwiseSqrt();
   std::vector<FurtherMode> modes;
   if (size.isZero(0.0)) return modes;

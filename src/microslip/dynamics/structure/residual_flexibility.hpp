@@ -33,7 +33,8 @@ struct ResidualFlexibility {
 /// @throws InputError  for names that the structure does not have, or that occur twice; for another
 ///                     number of entries than a square has; entries that are not finite or not
 ///                     those across the diagonal; an R_pp below 0, or of 0 beside others in its
-///                     row; a negative λ; a structure without an elastic mode.
+///                     row; a negative λ; an R_jj of a joint above 1/k − Σ ψ_i²/ω_i² of a
+///                     spring k in the modes; a structure without an elastic mode.
 [[nodiscard]] std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                                                     const ResidualFlexibility& residual);
 
