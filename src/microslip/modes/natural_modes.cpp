@@ -8,16 +8,14 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
 
-#include "microslip/algebra/cholesky.hpp"
-#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/modes/definite_pencil.hpp"
 
 namespace microslip {
 namespace {
@@ -25,8 +23,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 /// Up to here a dense solution takes less time than is noticed.
 constexpr Index kDenseRows = 300;
@@ -36,13 +32,16 @@ constexpr Index kSpareModes = 8;
 constexpr double kLanczosTolerance = 1e-11;
 constexpr Index kMostRestarts = 300;
 constexpr int kMostSearches = 8;
+constexpr int kMostShifts = 4;
+/// Of −σ over the ω² of a typical row, at first.
+constexpr double kFirstShift = 1e-10;
+/// Of −σ over ω² of the first mode that strains.
+constexpr double kNearShift = 0.01;
+/// Of −σ over what rounding makes of the ω² of rigid bodies, a bound.
+constexpr double kBeyondRounding = 4.0;
 /// Between eigenvalues, relative: less is one multiple eigenvalue.
 constexpr double kGap = 1e-6;
-/// Bounds of a rigid-body mode, relative: strain energy over that of the diagonal of K, and ω² over
-/// the next.
-constexpr double kRigidStrain = 1e-9;
-constexpr double kRigidGap = 1e-4;
-/// Larger residuals are reported.
+/// Larger residuals are reported, unless they are rounding.
 constexpr double kResidualAllowed = 1e-6;
 
 double trace_ratio(const VibratingSystem& system) {
@@ -116,22 +115,15 @@ class MassOperator {
   const Eigen::SparseMatrix<double>& mass_;
 };
 
-struct Pairs {
-  VectorXd eigenvalues;
-  MatrixXd shapes;
-};
-
-/// Rayleigh–Ritz in the span of some columns: rising eigenvalues, shapes of unit modal mass.
-Pairs ritz_pairs(const VibratingSystem& system, MatrixXd basis) {
+/// Rayleigh–Ritz in the span of some columns.
+ModalPairs ritz_pairs(const VibratingSystem& system, double shift, MatrixXd basis) {
   for (Index i = 0; i < basis.cols(); ++i) {
     basis.col(i) /= std::sqrt(basis.col(i).dot(system.mass * basis.col(i)));
   }
-  MatrixXd stiffness = basis.transpose() * system.stiffness_times(basis);
-  MatrixXd mass = basis.transpose() * (system.mass * basis);
-  stiffness = (0.5 * (stiffness + stiffness.transpose())).eval();
-  mass = (0.5 * (mass + mass.transpose())).eval();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(stiffness, mass);
-  return {solver.eigenvalues(), basis * solver.eigenvectors()};
+  ModalPairs pairs = definite_pairs(basis.transpose() * system.stiffness_times(basis),
+                                    basis.transpose() * (system.mass * basis), shift);
+  pairs.shapes = basis * pairs.shapes;
+  return pairs;
 }
 
 MatrixXd inverse_iterated(const VibratingSystem& system, const ShiftedFactor& factor,
@@ -139,25 +131,10 @@ MatrixXd inverse_iterated(const VibratingSystem& system, const ShiftedFactor& fa
   return factor.solve(system.mass * shapes);
 }
 
-/// All modes of a small system. Where M has no inverse, by θ = 1/(ω² − σ) of the Cholesky factors
-/// of K − σM: motion without mass has θ = 0.
-MatrixXd dense_shapes(const VibratingSystem& system, double shift) {
+/// All modes of a small system.
+ModalPairs dense_pairs(const VibratingSystem& system, double shift) {
   const MatrixXd unit = MatrixXd::Identity(system.size(), system.size());
-  const MatrixXd stiffness = system.stiffness_times(unit);
-  const MatrixXd mass(system.mass);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> inertia(mass, Eigen::EigenvaluesOnly);
-  const VectorXd& moments = inertia.eigenvalues();
-  const double least = static_cast<double>(moments.size()) * kEpsilon * moments.maxCoeff();
-  const auto with_mass = static_cast<Index>((moments.array() > least).count());
-  if (with_mass == system.size()) {
-    return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(stiffness, mass).eigenvectors();
-  }
-  const Eigen::LLT<MatrixXd> factor((stiffness - shift * mass).eval());
-  const MatrixXd half = factor.matrixL().solve(mass);
-  // As stored by columns: of another order, the compiler would make another solver.
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
-      MatrixXd(factor.matrixL().solve(half.transpose()).eval()));
-  return factor.matrixU().solve(solver.eigenvectors().rightCols(with_mass).rowwise().reverse());
+  return definite_pairs(system.stiffness_times(unit), MatrixXd(system.mass), shift);
 }
 
 /// Seeks modes from one shift, and keeps what is found.
@@ -167,11 +144,11 @@ class Search {
       : system_(system), range_(range), progress_(progress) {}
 
   NaturalModes run() {
-    factorise(-1e-10 * trace_ratio(system_));
-    refuse_negative_stiffness();
+    factorise(-std::max(kFirstShift, kBeyondRounding * system_.stiffness_rounding) *
+              trace_ratio(system_));
     wanted_ = wanted_modes();
     find_lowest(wanted_ + kSpareModes);
-    keep_off_rigid_bodies();
+    approach();
     refine();
     seek_missed();
     return result();
@@ -181,15 +158,9 @@ class Search {
   void factorise(double shift) {
     shift_ = shift;
     factor_ = std::make_shared<const ShiftedFactor>(system_, shift);
-  }
-
-  void refuse_negative_stiffness() const {
-    const std::size_t negative = factor_->eigenvalues_below();
-    if (negative == 0) return;
-    throw InputError("stiffness matrix",
-                     fmt::format("{} negative eigenvalue{}", negative, negative == 1 ? "" : "s"),
-                     "must have none beyond rounding",
-                     "Are the two matrices exchanged, entries missing or written with few digits?");
+    if (const std::size_t negative = factor_->eigenvalues_below(); negative > 0) {
+      refuse_negative_stiffness(negative);
+    }
   }
 
   [[nodiscard]] Index wanted_modes() {
@@ -212,12 +183,21 @@ class Search {
   }
 
   void find_lowest(Index count) {
+    whole_ = false;
     if (system_.size() <= kDenseRows || 3 * count > system_.size()) {
-      pairs_ = ritz_pairs(system_, dense_shapes(system_, shift_));
-      whole_ = true;
+      pairs_ = dense_pairs(system_, shift_);
+      whole_ = pairs_.eigenvalues.size() <= count;
+      keep_lowest(count);
     } else {
-      pairs_ = ritz_pairs(system_, lanczos(count, MatrixXd(system_.size(), 0)));
+      pairs_ = ritz_pairs(system_, shift_, lanczos(count, MatrixXd(system_.size(), 0)));
     }
+  }
+
+  /// The others would take their digits in a span of all.
+  void keep_lowest(Index count) {
+    const Index kept = std::min(count, pairs_.eigenvalues.size());
+    pairs_.eigenvalues.conservativeResize(kept);
+    pairs_.shapes.conservativeResize(Eigen::NoChange, kept);
   }
 
   /// Shapes of the modes nearest to the shift, other than those known.
@@ -246,30 +226,48 @@ class Search {
     if (progress_ && !progress_(solves_, expected_)) throw Cancelled();
   }
 
-  [[nodiscard]] std::size_t rigid_bodies() const {
-    std::size_t rigid = 0;
-    const VectorXd diagonal = system_.stiffness.diagonal();
-    for (Index i = 0; i < pairs_.eigenvalues.size(); ++i) {
-      const double scale = pairs_.shapes.col(i).cwiseAbs2().dot(diagonal);
-      if (pairs_.eigenvalues(i) > kRigidStrain * scale) break;
-      const bool last = i + 1 == pairs_.eigenvalues.size();
-      const bool far = !last && pairs_.eigenvalues(i) < kRigidGap * pairs_.eigenvalues(i + 1);
-      const bool rounding = pairs_.eigenvalues(i) < 1e3 * kEpsilon * scale;
-      if (far || rounding) rigid = static_cast<std::size_t>(i) + 1;
-    }
-    return rigid;
+  /// What rounding of K may add to φᵀKφ.
+  [[nodiscard]] double rounded_energy(Index mode) const {
+    const VectorXd shape = pairs_.shapes.col(mode);
+    return shape.cwiseAbs().dot(system_.rounding_times(shape));
   }
 
-  /// Near the eigenvalue 0 of rigid bodies, others lose the digits by which theirs is nearer.
-  void keep_off_rigid_bodies() {
-    const auto rigid = static_cast<Index>(rigid_bodies());
-    if (rigid == 0 || rigid == pairs_.eigenvalues.size()) return;
-    factorise(-0.01 * pairs_.eigenvalues(rigid));
-    refine();
+  /// The modes whose strain energy is rounding, counted from the lowest.
+  struct RigidBodies {
+    Index count = 0;
+    double rounding = 0.0;  ///< the largest bound of their ω²
+  };
+  [[nodiscard]] RigidBodies rigid_bodies() const {
+    RigidBodies found;
+    for (; found.count < pairs_.eigenvalues.size(); ++found.count) {
+      const double rounding = rounded_energy(found.count);
+      if (pairs_.eigenvalues(found.count) > rounding) break;
+      if (pairs_.eigenvalues(found.count) < -rounding) refuse_negative_stiffness(1);
+      found.rounding = std::max(found.rounding, rounding);
+    }
+    return found;
+  }
+
+  /// Brings the shift near to the first mode that strains: from afar, as stiff springs that fix
+  /// rows put it, modes are not told apart. Near the eigenvalue 0 of rigid bodies, others lose the
+  /// digits by which theirs is nearer.
+  void approach() {
+    for (int i = 0; i < kMostShifts; ++i) {
+      const RigidBodies rigid = rigid_bodies();
+      if (rigid.count == pairs_.eigenvalues.size()) return;
+      const double first = pairs_.eigenvalues(rigid.count);
+      const double near = std::max(kNearShift * first, kBeyondRounding * rigid.rounding);
+      const bool inside = -shift_ <= 1.5 * near;
+      if (inside && (rigid.count == 0 || i > 0)) return;
+      const bool far = -shift_ > std::max(first, near);
+      factorise(-near);
+      if (!far) return;
+      find_lowest(wanted_ + kSpareModes);
+    }
   }
 
   void refine() {
-    pairs_ = ritz_pairs(system_, inverse_iterated(system_, *factor_, pairs_.shapes));
+    pairs_ = ritz_pairs(system_, shift_, inverse_iterated(system_, *factor_, pairs_.shapes));
   }
 
   /// How many modes there are to the last gap, and the middle of it.
@@ -316,30 +314,35 @@ class Search {
   void add(const MatrixXd& further) {
     MatrixXd all(system_.size(), pairs_.shapes.cols() + further.cols());
     all << pairs_.shapes, further;
-    pairs_ = ritz_pairs(system_, all);
+    pairs_ = ritz_pairs(system_, shift_, all);
     refine();
   }
 
-  [[nodiscard]] VectorXd residuals(const NaturalModes& modes) const {
+  /// Sets residuals, and whether rounding explains those that are large.
+  void judge(NaturalModes& modes) {
     const MatrixXd strained = system_.stiffness_times(modes.shapes);
     const MatrixXd moved = (system_.mass * modes.shapes) * modes.eigenvalues.asDiagonal();
-    VectorXd residual = VectorXd::Zero(modes.eigenvalues.size());
-    for (Index i = static_cast<Index>(modes.rigid_bodies); i < residual.size(); ++i) {
-      residual(i) =
-          (strained.col(i) - moved.col(i)).norm() / (strained.col(i).norm() + moved.col(i).norm());
+    modes.residuals = VectorXd::Zero(modes.eigenvalues.size());
+    for (Index i = static_cast<Index>(modes.rigid_bodies); i < modes.residuals.size(); ++i) {
+      const double scale = strained.col(i).norm() + moved.col(i).norm();
+      modes.residuals(i) = (strained.col(i) - moved.col(i)).norm() / scale;
+      if (modes.residuals(i) <= kResidualAllowed) continue;
+      const double rounding = system_.rounding_times(modes.shapes.col(i)).norm() / scale;
+      inexact_ = inexact_ || modes.residuals(i) > kResidualAllowed + rounding;
     }
-    return residual;
   }
 
   [[nodiscard]] NaturalModes result() {
     NaturalModes modes;
     const Index count = std::min(wanted_, pairs_.eigenvalues.size());
-    modes.rigid_bodies = std::min(rigid_bodies(), static_cast<std::size_t>(count));
+    const RigidBodies rigid = rigid_bodies();
+    modes.rigid_bodies = static_cast<std::size_t>(std::min(rigid.count, count));
+    modes.rounding = rigid.rounding;
     modes.eigenvalues = pairs_.eigenvalues.head(count);
     modes.eigenvalues.head(static_cast<Index>(modes.rigid_bodies)).setZero();
     modes.shapes = pairs_.shapes.leftCols(count);
     turn_positive(modes.shapes);
-    modes.residuals = residuals(modes);
+    judge(modes);
     modes.factor = factor_;
     summarise(modes);
     return modes;
@@ -351,10 +354,9 @@ class Search {
     summary.residual = modes.residuals.maxCoeff();
     summary.iterations = iterations_;
     summary.wall_seconds = watch_.seconds();
-    const bool exact = summary.residual < kResidualAllowed;
-    summary.stop = missing_ || !exact ? Stop::kDoubtful : Stop::kConverged;
+    summary.stop = missing_ || inexact_ ? Stop::kDoubtful : Stop::kConverged;
     summary.reason = sturm_;
-    if (!exact) summary.reason += fmt::format("; a residual is above {:g}", kResidualAllowed);
+    if (inexact_) summary.reason += fmt::format("; a residual is above {:g}", kResidualAllowed);
   }
 
   const VibratingSystem& system_;
@@ -364,14 +366,15 @@ class Search {
   double shift_ = 0.0;
   std::shared_ptr<const ShiftedFactor> factor_;
   Index wanted_ = 0;
-  Pairs pairs_;
+  ModalPairs pairs_;
   std::size_t solves_ = 0;
   std::size_t expected_ = 0;
   std::uint64_t searches_ = 0;
   int iterations_ = 0;
   std::string sturm_ = "not all modes were found";
   bool missing_ = true;
-  bool whole_ = false;  ///< all modes of the system are there
+  bool inexact_ = false;  ///< a residual is too large
+  bool whole_ = false;    ///< all modes of the system are there
 };
 
 }  // namespace

@@ -24,8 +24,12 @@ struct NaturalModes {
   Eigen::VectorXd eigenvalues;   ///< ω_i², rad²/s², rising; 0 of rigid bodies
   Eigen::MatrixXd shapes;        ///< φ_i, its largest component positive; n × m
   std::size_t rigid_bodies = 0;  ///< number of rigid-body modes, the first
-  Eigen::VectorXd residuals;     ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ|, 1; of rigid bodies 0
-  /// Factor of the system, at a σ < 0 that is small against ω² of the first mode that strains.
+  /// What rounding of K can make of ω² of a rigid body, a bound, rad²/s²; 0 without rigid bodies.
+  /// Nothing distinguishes a soft spring from none below it.
+  double rounding = 0.0;
+  Eigen::VectorXd residuals;  ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ|, 1; of rigid bodies 0
+  /// Factor of the system, at a σ < 0 that is small against ω² of the first mode that strains, if
+  /// one was found.
   std::shared_ptr<const ShiftedFactor> factor;
   Summary summary = {};  ///< its residual is the largest; doubtful where modes may be missing
 };
@@ -33,8 +37,12 @@ struct NaturalModes {
 /// Shift-invert Lanczos from below all eigenvalues (Spectra), then Rayleigh–Ritz of the shapes
 /// after inverse iteration. The Sturm count at a frequency above them shows whether a mode is
 /// missed; missed ones, of multiple eigenvalues, are sought orthogonal to those found. Small
-/// systems are solved densely. Rigid-body modes are recognised by a strain energy at rounding
-/// level, against both that of the diagonal of K and that of the next mode.
+/// systems are solved densely (definite_pairs()). A mode is that of a rigid body where its strain
+/// energy is rounding of the entries of K,
+///
+///     φᵀKφ ≤ (16 ε + ε_K) |φ|ᵀ|K||φ|
+///
+/// with ε of a double and ε_K = VibratingSystem::stiffness_rounding.
 /// @param system    whose M has no negative eigenvalue.
 /// @param range     with more modes than the system has, all of them.
 /// @param progress  called with the solutions done of their number; may stop the search.

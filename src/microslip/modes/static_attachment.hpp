@@ -20,7 +20,8 @@ struct StaticAttachment {
   Eigen::VectorXd in_modes;     ///< the part of it that the modes have, Σ (φ_iᵀb)²/ω_i²
   /// The part that moves without mass, which no shape can have: m/N, one per load.
   Eigen::VectorXd massless;
-  double residual = 0.0;  ///< the largest |Kx − b| over |b|, 1
+  Eigen::VectorXd residuals;  ///< |Kx − b| over |b|, 1, one per load
+  Eigen::VectorXd rounding;   ///< what rounding of K may make of it, a bound, 1
 };
 
 /// Ritz vectors of the residual flexibility [MacNeal 1971; Rubin 1975]: of the static displacement

@@ -203,7 +203,10 @@ std::string describe_structure_model(const std::string& path, const StructureMod
                         in_hertz(modes.model.modes()[modes.modes - 1].angular_frequency));
   }
   if (modes.rigid_bodies > 0) {
-    text += fmt::format("  {} of them rigid-body modes, without stiffness\n", modes.rigid_bodies);
+    text += fmt::format(
+        "  {} of them rigid-body modes, without stiffness: below {:.2g} Hz, the "
+        "rounding of the matrix\n",
+        modes.rigid_bodies, in_hertz(std::sqrt(modes.rounding)));
   }
   text += compliance_lines(modes);
   for (const BaseMass& base : modes.base_masses) {

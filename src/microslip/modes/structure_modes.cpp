@@ -23,6 +23,12 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 /// Missing share of a static compliance above which a warning is given.
 constexpr double kLackAllowed = 0.01;
+/// Share of a load that may be left unbalanced, or of a compliance that the modes may have beyond
+/// it.
+constexpr double kUnbalancedAllowed = 1e-6;
+constexpr double kExcessAllowed = 1e-3;
+/// ω² that rounding may hide, over that of the first mode that strains.
+constexpr double kHiddenAllowed = 1e-4;
 /// Hz: no structure with joints vibrates more slowly.
 constexpr double kSlowestMode = 1e-3;
 /// Motion of a joint in a rigid-body mode, relative to the largest: less is rounding.
@@ -163,10 +169,40 @@ void warn_of_rigid_bodies(StructureModes& found) {
                    found.joint_shapes.empty() ? "" : ", no joint either")});
 }
 
+void warn_of_rounding(StructureModes& found) {
+  if (found.rigid_bodies == 0 || found.rigid_bodies >= found.modes) return;
+  const double first = found.model.modes()[found.rigid_bodies].angular_frequency;
+  if (found.rounding <= kHiddenAllowed * first * first) return;
+  found.warnings.push_back(
+      {"rigid_bodies_doubtful",
+       fmt::format("The digits of the stiffness matrix do not distinguish modes below {:.3g} Hz "
+                   "from rigid-body modes; the first mode above is at {:.4g} Hz. Soft springs may "
+                   "be lost. Give the matrix with more digits, a coarser mesh or fewer stiff "
+                   "springs.",
+                   std::sqrt(found.rounding) / (2.0 * std::numbers::pi),
+                   first / (2.0 * std::numbers::pi))});
+}
+
 std::string capitalised(YieldingPlace place) {
   std::string text(to_string(place));
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
+}
+
+void warn_of_statics(StructureModes& found) {
+  for (const StaticCompliance& one : found.compliances) {
+    if (one.unbalanced <= kUnbalancedAllowed &&
+        one.in_modes <= (1.0 + kExcessAllowed) * one.exact) {
+      continue;
+    }
+    found.warnings.push_back(
+        {"static_doubtful",
+         fmt::format("{} '{}': the static displacement leaves {:.2g} of the load unbalanced, its "
+                     "compliance {:.4g} {} (in the modes {:.4g}) is doubtful. Are stiffnesses of "
+                     "very different size in the matrix?",
+                     capitalised(one.place), one.name, one.unbalanced, one.exact, unit_of(one),
+                     one.in_modes)});
+  }
 }
 
 void warn_of_lacks(bool attached, StructureModes& found) {
@@ -236,6 +272,8 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
       const auto column = static_cast<Index>(j);
       compliances[j].exact = attachment.compliance(column);
       compliances[j].in_modes = attachment.in_modes(column);
+      compliances[j].unbalanced =
+          std::max(attachment.residuals(column) - attachment.rounding(column), 0.0);
       compliances[j].in_model = options.attachment
                                     ? attachment.compliance(column) - attachment.massless(column)
                                     : attachment.in_modes(column);
@@ -258,12 +296,15 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
   found.joints = options.joints;
   found.modes = static_cast<std::size_t>(modes.eigenvalues.size());
   found.rigid_bodies = modes.rigid_bodies;
+  found.rounding = modes.rounding;
   found.residuals.assign(modes.residuals.begin(), modes.residuals.end());
   found.compliances = std::move(compliances);
   found.degrees_of_freedom = static_cast<std::size_t>(assembled.system.size());
   found.summary = modes.summary;
   report_base_masses(assembled, found);
   warn_of_rigid_bodies(found);
+  warn_of_rounding(found);
+  warn_of_statics(found);
   warn_of_lacks(options.attachment, found);
   warn_of_slow_modes(found);
   warn_of_search(found);

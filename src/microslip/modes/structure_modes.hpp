@@ -39,9 +39,11 @@ struct StaticCompliance {
   std::string name;                             ///< of the joint, point or base
   bool turns = false;                           ///< about an axis
   YieldingPlace place = YieldingPlace::kJoint;  ///< what it is
-  double exact = 0.0;     ///< of the matrices, of all their degrees of freedom
-  double in_modes = 0.0;  ///< of the modes alone
-  double in_model = 0.0;  ///< of modes and attachments
+  double exact = 0.0;       ///< of the matrices, of all their degrees of freedom
+  double in_modes = 0.0;    ///< of the modes alone
+  double in_model = 0.0;    ///< of modes and attachments
+  double unbalanced = 0.0;  ///< share of the load that the displacement of `exact` leaves beyond
+                            ///< rounding, 1
 };
 
 /// How much of the mass that a base moves the modes move.
@@ -58,8 +60,10 @@ struct StructureModes {
   /// ψ of each joint, kg^−½; one per mode and attachment.
   std::vector<std::vector<double>> joint_shapes = {};
   JointsInModes joints = JointsInModes::kFree;  ///< as asked
-  std::size_t modes = 0;               ///< those of the structure; the rest are attachments
-  std::size_t rigid_bodies = 0;        ///< number of modes with ω = 0: unrestrained
+  std::size_t modes = 0;         ///< those of the structure; the rest are attachments
+  std::size_t rigid_bodies = 0;  ///< number of modes with ω = 0: unrestrained
+  double rounding = 0.0;  ///< ω² of a mode that rounding of K does not distinguish from a rigid
+                          ///< body, rad²/s²; 0 without rigid bodies
   std::vector<double> residuals = {};  ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ| of each mode, 1
   std::vector<StaticCompliance> compliances = {};  ///< of the joints, then of what is attached
   std::vector<BaseMass> base_masses = {};          ///< one per base

@@ -395,6 +395,7 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
   assembled.system.stiffness = std::move(stiffness);
   assembled.system.mass = std::move(mass);
   assembled.system.spring_motions = Sparse(assembled.system.size(), 0);
+  assembled.system.stiffness_rounding = structure.matrices.stiffness_rounding;
   return assembled;
 }
 

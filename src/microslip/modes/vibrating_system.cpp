@@ -2,6 +2,8 @@
 #include "microslip/modes/vibrating_system.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,8 @@ namespace microslip {
 namespace {
 
 using Triplet = Eigen::Triplet<double, Eigen::SparseMatrix<double>::StorageIndex>;
+
+constexpr double kEntryRoundings = 16.0;
 
 void add_lower(const Eigen::SparseMatrix<double>& matrix, double factor,
                std::vector<Triplet>& entries) {
@@ -52,6 +56,22 @@ Eigen::MatrixXd VibratingSystem::stiffness_times(const Eigen::MatrixXd& x) const
     force += spring_motions * tension;
   }
   return force;
+}
+
+Eigen::VectorXd VibratingSystem::rounding_times(const Eigen::VectorXd& x) const {
+  const Eigen::VectorXd size = x.cwiseAbs();
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
+  for (Eigen::Index j = 0; j < stiffness.outerSize(); ++j) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness, j); entry; ++entry) {
+      force(entry.row()) += std::abs(entry.value()) * size(j);
+    }
+  }
+  if (spring_motions.cols() > 0) {
+    const Eigen::SparseMatrix<double> motions = spring_motions.cwiseAbs();
+    const Eigen::VectorXd tension = spring_stiffness.asDiagonal() * (motions.transpose() * size);
+    force += motions * tension;
+  }
+  return (stiffness_rounding + kEntryRoundings * std::numeric_limits<double>::epsilon()) * force;
 }
 
 ShiftedFactor::ShiftedFactor(const VibratingSystem& system, double shift)

@@ -17,11 +17,18 @@ struct VibratingSystem {
   Eigen::SparseMatrix<double> mass;            ///< M, both triangles; n × n; ≥ 0
   Eigen::SparseMatrix<double> spring_motions;  ///< B; n × s, s may be 0
   Eigen::VectorXd spring_stiffness;            ///< k, N/m; s values, > 0
+  /// The largest error of an entry of K over the entry, beyond that of a double: of matrices that
+  /// were written with few digits. From 0.
+  double stiffness_rounding = 0.0;
 
   /// n.
   [[nodiscard]] Eigen::Index size() const { return stiffness.rows(); }
   /// (K + B diag(k) Bᵀ) x; x may have several columns.
   [[nodiscard]] Eigen::MatrixXd stiffness_times(const Eigen::MatrixXd& x) const;
+  /// A bound, per row, of what rounding of the entries changes in stiffness_times(x):
+  /// (16 ε + stiffness_rounding)(|K| + |B| diag(k) |B|ᵀ)|x| with ε of a double; an entry is a sum
+  /// over the points of some elements.
+  [[nodiscard]] Eigen::VectorXd rounding_times(const Eigen::VectorXd& x) const;
 };
 
 /// The factors of K + B diag(k) Bᵀ − σM, by those of the matrix that has the forces in the springs

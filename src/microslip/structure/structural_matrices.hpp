@@ -48,6 +48,7 @@ struct StructuralMatrices {
   SymmetricEntries mass;       ///< M, kg (kg m² of rotations); n × n
   /// One per row; empty where the degrees of freedom are not known.
   std::vector<DegreeOfFreedom> degrees = {};
+  double stiffness_rounding = 0.0;  ///< entry_rounding() of K as it was written; from 0
 };
 
 }  // namespace microslip

@@ -22,6 +22,7 @@
 #include "microslip/io/matrices/dmig_matrices.hpp"
 #include "microslip/io/open/matrix_file.hpp"
 #include "microslip/io/open/mesh_file.hpp"
+#include "microslip/structure/entry_rounding.hpp"
 
 namespace microslip {
 namespace {
@@ -94,6 +95,7 @@ StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
         table.name("degrees_of_freedom"), fmt::format("{} lines", matrices.degrees.size()),
         fmt::format("must be {}, one per row of the matrices", matrices.stiffness.size));
   }
+  matrices.stiffness_rounding = entry_rounding(matrices.stiffness);
   convert(matrices.stiffness, matrices.degrees, units);
   convert(matrices.mass, matrices.degrees, units);
   return matrices;
