@@ -41,6 +41,22 @@ TEST(MeshFile, ReadsAnInputOfCalculix) {
   EXPECT_EQ(mesh.sets[3].nodes, (Nodes{1, 2, 7, 9}));
 }
 
+// What CalculiX numbers as translations of nodes and is none, by its manual: degrees of freedom of
+// ROT NODE and of the last node of MEANROT, whose list may go on behind 0.
+TEST(MeshFile, KnowsRotationsAndElements) {
+  const MeshFile mesh = mesh_of(
+      "*NODE\n1,0,0,0\n2,1,0,0\n9,0,0,0\n"
+      "*ELEMENT, TYPE=C3D20\n1, 1, 2,\n3,4\n2, 5,6\n*ELEMENT, TYPE=MASS, ELSET=M\n70, 9\n"
+      "*RIGID BODY, NSET=F, REF NODE=9, ROT NODE=10\n"
+      "*MPC\nMEANROT,1,1,1,2,2\n0,2,11\nPLANE,1,2,3\nMEANROT,2,2,2,12\n");
+  EXPECT_EQ(mesh.element_nodes, (Nodes{1, 2, 3, 4, 5, 6, 9}));
+  EXPECT_EQ(mesh.rotation_nodes, (Nodes{10, 11, 12}));
+  EXPECT_FALSE(mesh.axisymmetric);
+  const MeshFile ring = mesh_of("*NODE\n1,1,0\n*ELEMENT,TYPE=CAX4,ELSET=e\n1,1,2,3,4\n");
+  EXPECT_TRUE(ring.axisymmetric);
+  EXPECT_FALSE(ring.beside_axisymmetric);
+}
+
 TEST(MeshFile, FollowsFilesThatAreIncluded) {
   const test::TemporaryFolder folder;
   test::put(folder.file("all.inp"), "*INCLUDE, INPUT=mesh.msh\n*NSET,NSET=A\n1\n");

@@ -142,6 +142,52 @@ TEST(StructureFile, MatricesBecomeSI) {
   EXPECT_DOUBLE_EQ(file.structure.matrices.mass.value[1], 2e6);
 }
 
+/// A job of CalculiX in mm and N: node 1 moves along x, nodes 10 and 30 as the input says.
+std::string calculix_job(const test::TemporaryFolder& folder, const std::string& input) {
+  test::put(folder.file("job.dof"), "1.1\n10.1\n30.1\n");
+  test::put(folder.file("job.sti"), "1 1 5.\n2 2 6.\n3 3 7.\n");
+  test::put(folder.file("job.mas"), "1 1 1.\n2 2 2.\n3 3 3.\n");
+  test::put(folder.file("job.inp"), input);
+  return "schema = \"microslip.structure/1\"\n[matrices]\ncalculix = \"job\"\nlength_unit = "
+         "\"mm\"\nforce_unit = \"N\"\n[nodes]\nfile = \"job.inp\"\n[[point]]\nname = \"tip\"\n"
+         "node = 1\ndirection = \"x\"\n[modes]\ncount = 2\nloss_factor = [0.0]\n[excitation]\n"
+         "point = \"tip\"\n";
+}
+
+// 6 N mm/rad of a rotation are 6e-3 N m, where 6 N/mm of a translation are 6000 N/m.
+TEST(StructureFile, RotationsThatCalculixNumbersFromOneAreRotations) {
+  const test::TemporaryFolder folder;
+  const std::string text = calculix_job(
+      folder,
+      "*NODE\n1,0,0,0\n10,0,0,0\n*ELEMENT,TYPE=MASS\n1,1\n*RIGID BODY, NSET=F, ROT NODE=10\n");
+  const StructureFile file = parse_structure(text, folder.file("s.toml"));
+  const StructuralMatrices& matrices = file.structure.matrices;
+  EXPECT_EQ(matrices.degrees[0].direction, NodalDirection::kX);
+  EXPECT_EQ(matrices.degrees[1].direction, NodalDirection::kTurnX);
+  EXPECT_DOUBLE_EQ(matrices.stiffness.value[0], 5e3);
+  EXPECT_DOUBLE_EQ(matrices.stiffness.value[1], 6e-3);
+  EXPECT_DOUBLE_EQ(matrices.mass.value[1], 2e-3);
+  // Node 30 is in no input, as inner nodes of elements are.
+  EXPECT_EQ(file.structure.nodes_without_element, (std::vector<std::int64_t>{10, 30}));
+  EXPECT_TRUE(file.warnings.empty());
+}
+
+// CalculiX expands axisymmetric elements to a wedge of 2 degrees.
+TEST(StructureFile, AWedgeOfCalculixIsTheRing) {
+  const test::TemporaryFolder folder;
+  const std::string ring = "*NODE\n1,1,0\n*ELEMENT,TYPE=CAX8R,ELSET=e\n1,1,10,30\n";
+  const StructureFile file = parse_structure(calculix_job(folder, ring), folder.file("s.toml"));
+  EXPECT_DOUBLE_EQ(file.structure.matrices.stiffness.value[0], 180.0 * 5e3);
+  EXPECT_DOUBLE_EQ(file.structure.matrices.mass.value[2], 180.0 * 3e3);
+  ASSERT_EQ(file.warnings.size(), 1U);
+  EXPECT_EQ(file.warnings[0].code, "axisymmetric");
+  const std::string both = calculix_job(folder, ring + "*ELEMENT,TYPE=SPRING1\n2,1\n");
+  EXPECT_NE(message_of<InputError>([&] {
+              return parse_structure(both, folder.file("s.toml"));
+            }).find("must have axisymmetric elements alone, or none"),
+            std::string::npos);
+}
+
 TEST(StructureFile, DampingRatiosAreViscous) {
   const StructureFolder folder;
   const StructureFile file = folder.parse(

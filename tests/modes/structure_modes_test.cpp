@@ -3,14 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/io/matrices/matrix_market.hpp"
+#include "support/beam_matrices.hpp"
 #include "support/figures.hpp"
 #include "support/mass_chain.hpp"
 #include "support/messages.hpp"
@@ -231,6 +234,73 @@ TEST(StructureModes, OfABaseHaveItsStaticMotionAttached) {
         found.model.bases()[0].participation[i] / found.model.modes()[i].angular_frequency, 2);
   }
   EXPECT_NEAR(sum / of_base.exact, 1.0, 1e-9);
+}
+
+// Beside a free chain of 30 masses of 2 kg: an inner degree of freedom that stretches with the
+// first spring, k/2 (θ − x₂ + x₁)², of 5 kg, which must not move with a base, and a mass of 3 kg on
+// a spring, of a node that the mesh lacks as well, which must.
+TEST(StructureModes, OfABaseLeaveInnerDegreesOfFreedomAtRest) {
+  const MassChains chain{.masses = 30, .held = false};
+  MeshedStructure structure{.matrices = chain.matrices()};
+  structure.matrices.stiffness.size = structure.matrices.mass.size = 32;
+  structure.matrices.degrees.push_back({100, NodalDirection::kX});
+  structure.matrices.degrees.push_back({101, NodalDirection::kX});
+  const double k = chain.k;
+  for (const auto& [row, column, value] : {std::tuple{0U, 0U, k},
+                                           {1U, 1U, k},
+                                           {1U, 0U, -k},
+                                           {30U, 30U, k},
+                                           {30U, 0U, k},
+                                           {30U, 1U, -k},
+                                           {29U, 29U, k},
+                                           {31U, 31U, k},
+                                           {31U, 29U, -k}}) {
+    MassChains::add(structure.matrices.stiffness, row, column, value);
+  }
+  MassChains::add(structure.matrices.mass, 30, 30, 5.0);
+  MassChains::add(structure.matrices.mass, 31, 31, 3.0);
+  structure.points.push_back({.name = "end", .place = {.name = "row", .nodes = {}, .row = 29}});
+  structure.bases.push_back({.name = "table"});
+  structure.nodes_without_element = {100, 101};
+  const StructureModes found = compute_structure_modes(structure, {.count = 2});
+  EXPECT_NEAR(found.base_masses[0].total, 30 * 2.0 + 3.0, 1e-9);
+  structure.bases[0].rows = {30};  // as it is asked for
+  EXPECT_NEAR(compute_structure_modes(structure, {.count = 2}).base_masses[0].total, 5.0, 1e-9);
+}
+
+// A steel bar of 30 elements on springs of 3500 N/m, 5.9 Hz: eight digits of its matrix hide what is
+// below 84 Hz, more than a hundredth of the 1329 Hz of its first bending mode.
+TEST(StructureModes, SayWhatTheDigitsOfTheMatrixHide) {
+  const test::BeamMatrices bar{30, 0.4, 2.1e11 * std::pow(0.04, 4) / 12.0, 7850.0 * 0.04 * 0.04};
+  MeshedStructure structure{.matrices = bar.matrices()};
+  test::BeamMatrices::hold(structure.matrices, 0, 3500.0);
+  test::BeamMatrices::hold(structure.matrices, bar.rows() - 2, 3500.0);
+  structure.points.push_back({.name = "end", .place = {.name = "row", .nodes = {}, .row = 0}});
+  const auto code = [&] {
+    const StructureModes found = compute_structure_modes(structure, {.count = 4});
+    return found.warnings.empty() ? "" : found.warnings.back().code;
+  };
+  EXPECT_EQ(code(), "");
+  structure.matrices.stiffness_rounding = 5e-8;
+  EXPECT_EQ(code(), "rigid_bodies_doubtful");
+}
+
+// Rotations that count as translations, for want of a mesh, show by what a translation strains.
+TEST(StructureModes, OfABaseThatStrainsSayWhatItMoves) {
+  const MassChains chain{.masses = 30};
+  MeshedStructure structure{.matrices = chain.matrices()};
+  structure.points.push_back({.name = "end", .place = {.name = "row", .nodes = {}, .row = 29}});
+  structure.bases.push_back({.name = "table"});
+  const auto warned = [&] {
+    const StructureModes found = compute_structure_modes(structure, {.count = 2});
+    return std::ranges::any_of(found.warnings,
+                               [](const Warning& one) { return one.code == "base_rows_doubtful"; });
+  };
+  EXPECT_FALSE(warned());
+  for (std::size_t row = 0; row < 30; row += 1) {
+    MassChains::add(structure.matrices.stiffness, row, row, 1e-3 * chain.k);
+  }
+  EXPECT_TRUE(warned());
 }
 
 // Elements whose mass spreads over rows that something outside holds: the share of what is held

@@ -169,6 +169,7 @@ StructureModel model_of_structure(const std::string& path, const std::string& ou
                              ? std::move(tested->modes)
                              : compute_structure_modes(file.structure, options_of(file, progress));
   if (!tested) warn_of_damped_springs(file, modes);
+  modes.warnings.insert(modes.warnings.begin(), file.warnings.begin(), file.warnings.end());
   std::vector<StructuralJoint> joints = joints_of(file, modes);
   std::vector<JointSource> sources = std::move(file.sources);
   for (JointSource& source : sources) {

@@ -124,6 +124,23 @@ ModalModel model_of(const MeshedStructure& structure, const AssembledSystem& ass
   return {std::move(modes), std::move(points), std::move(bases), attached};
 }
 
+/// Rows of a structure that is no coarse model.
+constexpr std::size_t kManyRows = 20;
+
+/// A structure that translates is strained beside its supports alone.
+void warn_of_strained_base(const AssembledSystem& assembled, std::size_t b, StructureModes& found) {
+  const AssembledSystem::MovedRows rows = assembled.base_rows[b];
+  if (rows.moved < kManyRows || 2 * rows.strained <= rows.moved) return;
+  found.warnings.push_back(
+      {"base_rows_doubtful",
+       fmt::format("Base '{}' strains {} of the {} rows that it moves. Are all of them "
+                   "translations, and is {:.6g} kg the mass that it carries? Inner degrees of "
+                   "freedom of elements, rotations and openings must not move with it: give the "
+                   "nodes and elements by [nodes], or the rows that move.",
+                   found.model.bases()[b].name, rows.strained, rows.moved,
+                   assembled.base_masses(static_cast<Index>(b)))});
+}
+
 void report_base_masses(const AssembledSystem& assembled, StructureModes& found) {
   for (std::size_t b = 0; b < found.model.bases().size(); ++b) {
     const ModalBase& base = found.model.bases()[b];
@@ -131,6 +148,7 @@ void report_base_masses(const AssembledSystem& assembled, StructureModes& found)
     for (std::size_t i = 0; i < found.modes; ++i)
       moved += base.participation[i] * base.participation[i];
     found.base_masses.push_back({base.name, assembled.base_masses(static_cast<Index>(b)), moved});
+    warn_of_strained_base(assembled, b, found);
     if (!assembled.base_mass_missing[b]) continue;
     found.warnings.push_back(
         {"base_mass_missing",

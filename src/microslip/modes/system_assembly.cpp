@@ -14,6 +14,7 @@
 
 #include "microslip/algebra/svd.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/modes/base_motion.hpp"
 #include "microslip/modes/place_motion.hpp"
 
 namespace microslip {
@@ -283,41 +284,6 @@ void check_mass(const Sparse& mass) {
       "must have no negative eigenvalue");
 }
 
-/// r of a base: the motion of each row.
-Eigen::VectorXd rigid_motion(const MeshRows& rows, const MeshedStructure& structure,
-                             const MeshBase& base) {
-  const std::string name = fmt::format("base '{}'", base.name);
-  Eigen::VectorXd motion = Eigen::VectorXd::Zero(static_cast<Index>(rows.size()));
-  for (const std::size_t row : base.rows) motion(static_cast<Index>(rows.checked(name, row))) = 1.0;
-  if (!base.rows.empty()) return motion;
-  if (structure.matrices.degrees.empty()) {
-    throw InputError(name, InputState{"a direction"},
-                     "must be given by rows: the degrees of freedom of the rows are not given",
-                     "Give rows = [...], or degrees_of_freedom.");
-  }
-  if (base.direction.turns) {
-    throw InputError(name, InputState{"a rotation"}, "must move along a direction");
-  }
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const auto k = static_cast<std::size_t>(structure.matrices.degrees[row].direction);
-    if (k < base.direction.axis.size()) motion(static_cast<Index>(row)) = base.direction.axis[k];
-  }
-  return motion;
-}
-
-/// Whether rows that are restrained outside of the matrices share mass with others.
-bool lacks_mass(const Sparse& stiffness, const Sparse& mass, const Eigen::VectorXd& motion) {
-  constexpr double kHolds = 1e-6;  // of the stiffness of a row
-  const Eigen::VectorXd held = stiffness * motion;
-  for (Index row = 0; row < held.size(); ++row) {
-    if (std::abs(held(row)) <= kHolds * stiffness.coeff(row, row)) continue;
-    for (Sparse::InnerIterator entry(mass, row); entry; ++entry) {
-      if (entry.row() != row && entry.value() != 0.0) return true;
-    }
-  }
-  return false;
-}
-
 void add_bases(const MeshRows& rows, const MeshedStructure& structure, const Sparse& stiffness,
                const Sparse& mass, AssembledSystem& assembled) {
   const auto count = static_cast<Index>(structure.bases.size());
@@ -326,11 +292,13 @@ void add_bases(const MeshRows& rows, const MeshedStructure& structure, const Spa
   assembled.base_motions.resize(assembled.points.cols(), count);
   for (Index b = 0; b < count; ++b) {
     const MeshBase& base = structure.bases[static_cast<std::size_t>(b)];
-    const Eigen::VectorXd motion = rigid_motion(rows, structure, base);
+    const BaseMotion moved = base_motion(rows, structure, base, stiffness);
+    const Eigen::VectorXd& motion = moved.rows;
     assembled.base_loads.col(b) = mass * motion;
     assembled.base_masses(b) = motion.dot(assembled.base_loads.col(b));
     assembled.base_motions.col(b) = assembled.points.transpose() * motion;
-    assembled.base_mass_missing.push_back(lacks_mass(stiffness, mass, motion));
+    assembled.base_mass_missing.push_back(lacks_mass(moved, mass));
+    assembled.base_rows.push_back({moved.moved, moved.strained});
     if (assembled.base_masses(b) > 0.0) continue;
     throw InputError(fmt::format("base '{}'", base.name), InputState{"without mass"},
                      "must move mass", "Check its direction.");

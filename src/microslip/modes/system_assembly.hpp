@@ -20,6 +20,12 @@ struct AssembledSystem {
   /// For each base: whether rows restrained outside of the matrices, |Tᵀ K r| where it should be 0,
   /// share mass with other degrees of freedom, whose part there is not in the matrices.
   std::vector<bool> base_mass_missing;
+  /// For each base: how many rows move by it, and of how many of them |K r| is not 0.
+  struct MovedRows {
+    std::size_t moved;
+    std::size_t strained;
+  };
+  std::vector<MovedRows> base_rows;
 };
 
 /// @throws InputError  naming what is wrong: matrices that are empty, of different sizes, with

@@ -100,6 +100,9 @@ struct MeshedStructure {
   std::vector<MeshPoint> points = {};      ///< driven or measured motions
   std::vector<MeshBase> bases = {};        ///< that may be shaken
   std::vector<MeshJoint> joints = {};      ///< between places, or a place and the ground
+  /// Nodes of rows that no element of the mesh has: incompatible modes, rotations and openings that
+  /// a program numbers as translations of nodes, or nodes of elements that it has made.
+  std::vector<std::int64_t> nodes_without_element = {};
 };
 
 }  // namespace microslip

@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -82,8 +86,60 @@ StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view fi
   return matrices;
 }
 
+/// Rotations that CalculiX numbers 1 to 3.
+void name_rotations(const MeshFile& mesh, std::vector<DegreeOfFreedom>& degrees) {
+  std::set<std::int64_t> others;  // have rotations beside
+  for (const DegreeOfFreedom& degree : degrees) {
+    if (turns(degree)) others.insert(degree.node);
+  }
+  constexpr auto kTurns = static_cast<std::uint8_t>(NodalDirection::kTurnX);
+  for (DegreeOfFreedom& degree : degrees) {
+    if (!std::ranges::binary_search(mesh.rotation_nodes, degree.node)) continue;
+    if (others.contains(degree.node)) continue;
+    degree.direction =
+        static_cast<NodalDirection>(static_cast<std::uint8_t>(degree.direction) + kTurns);
+  }
+}
+
+/// Nodes of rows that no element has; where the mesh has no elements, that are none of its nodes.
+std::vector<std::int64_t> without_element(const MeshFile& mesh,
+                                          const std::vector<DegreeOfFreedom>& degrees) {
+  std::vector<std::int64_t> known = mesh.element_nodes;
+  if (known.empty()) {
+    for (const MeshNode& node : mesh.nodes) known.push_back(node.number);
+    std::ranges::sort(known);
+  }
+  std::set<std::int64_t> unknown;
+  if (known.empty()) return {};
+  for (const DegreeOfFreedom& degree : degrees) {
+    if (!std::ranges::binary_search(known, degree.node)) unknown.insert(degree.node);
+  }
+  return {unknown.begin(), unknown.end()};
+}
+
+/// CalculiX has of axisymmetric elements a wedge of 2°; forces on it are those on the whole ring.
+void complete_ring(const TomlTable& table, const MeshFile& mesh, StructureFile& read) {
+  if (!mesh.axisymmetric || !table.has("calculix")) return;
+  if (mesh.beside_axisymmetric) {
+    throw InputError(table.name("calculix"), InputState{"axisymmetric in part"},
+                     "must have axisymmetric elements alone, or none: of CAX… its matrices have a "
+                     "wedge of 2 degrees, 1/180 of the ring, of other elements all",
+                     "Take solid elements for all.");
+  }
+  constexpr double kWedges = 180.0;
+  StructuralMatrices& matrices = read.structure.matrices;
+  for (SymmetricEntries* each : {&matrices.stiffness, &matrices.mass}) {
+    for (double& value : each->value) value *= kWedges;
+  }
+  read.warnings.push_back(
+      {"axisymmetric",
+       "the matrices of CalculiX have a wedge of 2 degrees of axisymmetric elements. They were "
+       "multiplied by 180: masses, stiffnesses and forces are those of the whole ring, and modes "
+       "with waves around it are not among them."});
+}
+
 StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
-                                 const MatrixUnits& units) {
+                                 const MatrixUnits& units, const MeshFile& mesh) {
   StructuralMatrices matrices = read_matrix_files(table, file);
   if (matrices.mass.size != matrices.stiffness.size) {
     throw InputError(table.name(table.has("mass") ? "mass" : "calculix"),
@@ -95,10 +151,18 @@ StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
         table.name("degrees_of_freedom"), fmt::format("{} lines", matrices.degrees.size()),
         fmt::format("must be {}, one per row of the matrices", matrices.stiffness.size));
   }
+  if (table.has("calculix")) name_rotations(mesh, matrices.degrees);
   matrices.stiffness_rounding = entry_rounding(matrices.stiffness);
   convert(matrices.stiffness, matrices.degrees, units);
   convert(matrices.mass, matrices.degrees, units);
   return matrices;
+}
+
+/// Keeps them rising, each once.
+void add_nodes(const std::vector<std::int64_t>& from, std::vector<std::int64_t>& to) {
+  std::vector<std::int64_t> all;
+  std::ranges::set_union(from, to, std::back_inserter(all));
+  to = std::move(all);
 }
 
 MeshFile read_nodes(const TomlTable& top, std::string_view file, double length_unit) {
@@ -118,6 +182,10 @@ MeshFile read_nodes(const TomlTable& top, std::string_view file, double length_u
                                [&](const std::string& its) { return read_mesh(its, length_unit); });
     all.nodes.insert(all.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
     for (NodeSet& set : mesh.sets) all.sets.push_back(std::move(set));
+    add_nodes(mesh.element_nodes, all.element_nodes);
+    add_nodes(mesh.rotation_nodes, all.rotation_nodes);
+    all.axisymmetric = all.axisymmetric || mesh.axisymmetric;
+    all.beside_axisymmetric = all.beside_axisymmetric || mesh.beside_axisymmetric;
   }
   return all;
 }
@@ -298,7 +366,9 @@ StructureFile read_with_matrices(const TomlTable& top, std::string_view file) {
   const NodeSets sets(top, mesh);
   read_support_tables(top, sets, read);
   read_places(top, file, sets, read);
-  read.structure.matrices = read_matrices(matrices, file, units);
+  read.structure.matrices = read_matrices(matrices, file, units, mesh);
+  complete_ring(matrices, mesh, read);
+  read.structure.nodes_without_element = without_element(mesh, read.structure.matrices.degrees);
   read.structure.nodes = std::move(mesh.nodes);
   return read;
 }

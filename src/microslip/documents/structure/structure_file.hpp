@@ -65,6 +65,7 @@ struct StructureFile {
   DampingLaw law = DampingLaw::kHysteretic;  ///< of the damping
   std::vector<JointSource> sources = {};     ///< of each joint
   DrivenPoints driven = {};                  ///< and measured points
+  std::vector<Warning> warnings = {};        ///< about the matrices
 };
 
 /// Reads the files it names, too.

@@ -48,6 +48,12 @@ std::optional<Number> number_of(std::string_view text) {
   return value;
 }
 
+std::vector<std::int64_t> each_once(std::vector<std::int64_t> nodes) {
+  std::ranges::sort(nodes);
+  nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
+  return nodes;
+}
+
 class InputReader {
  public:
   explicit InputReader(double length_unit) : length_unit_(length_unit) {}
@@ -70,24 +76,29 @@ class InputReader {
         add_node(line, place, section.set);
       } else if (section.kind == Section::kSet) {
         add_to_set(line, place, section);
+      } else if (section.kind == Section::kElements) {
+        add_element(line);
+      } else if (section.kind == Section::kConstraint) {
+        add_constraint(line);
       }
     }
   }
 
   MeshFile result() && {
     MeshFile mesh{std::move(nodes_), {}};
+    mesh.element_nodes = each_once(std::move(element_nodes_));
+    mesh.rotation_nodes = each_once(std::move(rotation_nodes_));
+    mesh.axisymmetric = axisymmetric_;
+    mesh.beside_axisymmetric = beside_axisymmetric_;
     for (const std::string& name : order_) {
-      std::vector<std::int64_t>& nodes = sets_[name];
-      std::ranges::sort(nodes);
-      nodes.erase(std::ranges::unique(nodes).begin(), nodes.end());
-      mesh.sets.push_back({name, std::move(nodes)});
+      mesh.sets.push_back({name, each_once(std::move(sets_[name]))});
     }
     return mesh;
   }
 
  private:
   struct Section {
-    enum Kind { kOther, kNodes, kSet };
+    enum Kind { kOther, kNodes, kSet, kElements, kConstraint };
     Kind kind = kOther;
     std::string set;  ///< empty where nodes are in none
     bool generate = false;
@@ -98,6 +109,7 @@ class InputReader {
     const std::string keyword = in_capitals(cells.front());
     Section section;
     std::string include;
+    std::string type;
     for (std::size_t i = 1; i < cells.size(); ++i) {
       const std::size_t equals = cells[i].find('=');
       const std::string key = in_capitals(trimmed(cells[i].substr(0, equals)));
@@ -106,7 +118,15 @@ class InputReader {
       if (key == "NSET") section.set = in_capitals(value);
       if (key == "GENERATE") section.generate = true;
       if (key == "INPUT") include = value;
+      if (key == "TYPE") type = in_capitals(value);
+      if (key == "ROT NODE" && keyword == "*RIGID BODY") add_rotation_node(value);
     }
+    if (keyword == "*ELEMENT") {
+      section.kind = Section::kElements;
+      begin_elements(type);
+    }
+    if (keyword == "*MPC") section.kind = Section::kConstraint;
+    mean_rotation_ = false;
     if (keyword == "*NODE") section.kind = Section::kNodes;
     if (keyword == "*NSET") section.kind = Section::kSet;
     if (section.kind == Section::kSet && section.set.empty()) {
@@ -117,7 +137,8 @@ class InputReader {
       throw FormatError(place, "nodes in global coordinates", "*SYSTEM",
                         "Give the nodes in a table: node [1], x [m], y [m], z [m].");
     }
-    if (section.kind != Section::kOther && !section.set.empty()) set_of(section.set);
+    const bool has_set = section.kind == Section::kNodes || section.kind == Section::kSet;
+    if (has_set && !section.set.empty()) set_of(section.set);
     return section;
   }
 
@@ -134,6 +155,36 @@ class InputReader {
     }
     const std::string path = (std::filesystem::path(place.file).parent_path() / include).string();
     read(read_file(path), path, depth + 1);
+  }
+
+  void begin_elements(const std::string& type) {
+    (type.starts_with("CAX") ? axisymmetric_ : beside_axisymmetric_) = true;
+    continued_ = false;
+  }
+
+  /// Its number, then its nodes; after a comma at the end they go on in the next line.
+  void add_element(std::string_view line) {
+    const std::vector<std::string_view> cells = cells_of(line);
+    for (std::size_t i = continued_ ? 0 : 1; i < cells.size(); ++i) {
+      if (const auto node = number_of<std::int64_t>(cells[i])) element_nodes_.push_back(*node);
+    }
+    continued_ = line.ends_with(',');
+  }
+
+  void add_rotation_node(std::string_view cell) {
+    if (const auto node = number_of<std::int64_t>(cell)) rotation_nodes_.push_back(*node);
+  }
+
+  /// The last node of a mean rotation turns; after 0 its list goes on.
+  void add_constraint(std::string_view line) {
+    const std::vector<std::string_view> cells = cells_of(line);
+    if (cells.empty()) return;
+    const bool goes_on = mean_rotation_ && cells.front() == "0";
+    mean_rotation_ = goes_on || in_capitals(cells.front()) == "MEANROT";
+    if (!mean_rotation_) return;
+    if (goes_on) rotation_nodes_.pop_back();
+    const auto node = number_of<std::int64_t>(cells.back());
+    rotation_nodes_.push_back(node.value_or(0));
   }
 
   std::vector<std::int64_t>& set_of(const std::string& name) {
@@ -214,7 +265,13 @@ class InputReader {
   std::vector<MeshNode> nodes_;
   std::map<std::string, std::vector<std::int64_t>> sets_;
   std::vector<std::string> order_;
-  std::size_t entries_ = 0;  // of sets, from ranges and other sets
+  std::vector<std::int64_t> element_nodes_;
+  std::vector<std::int64_t> rotation_nodes_;
+  bool axisymmetric_ = false;
+  bool beside_axisymmetric_ = false;
+  bool continued_ = false;      // an element
+  bool mean_rotation_ = false;  // the constraint before
+  std::size_t entries_ = 0;     // of sets, from ranges and other sets
 };
 
 }  // namespace
