@@ -9,6 +9,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "support/replaced.hpp"
 
 namespace microslip::dmig_matrices_test {
 namespace {
@@ -94,6 +95,31 @@ TEST(DmigMatrices, AreReadInEachLayout) {
   }
 }
 
+// NCOL is of rectangular matrices: pyNastran's issue 147 has 3 columns under a header of 1368678.
+TEST(DmigMatrices, DoNotCountColumns) {
+  for (const std::string& number : {std::string("       3"), std::string("     600")}) {
+    const std::string head = "KAAX           0       6       2       0                ";
+    const std::string text = test::replaced(kWide, head + "       3", head + number);
+    EXPECT_EQ(full(parse(text).stiffness),
+              (std::vector<double>{4.0, -1.0, 0.0, -1.0, 5.0, -2.0, 0.0, -2.0, 6.0}));
+  }
+}
+
+// A punch begins with the grid, of any length.
+TEST(DmigMatrices, MayComeAfterOtherBulkData) {
+  const test::TemporaryFolder folder;
+  std::string grid;
+  for (int i = 0; i < 1200; ++i) {
+    grid +=
+        fmt::format("GRID    {:8}       0     {:3}.      0.      0.       0\n", 1000 + i, i % 100);
+  }
+  test::put(folder.file("m.pch"), grid + kWide);
+  EXPECT_TRUE(is_dmig_file(folder.file("m.pch:KAAX")));
+  EXPECT_EQ(read_dmig_matrices(folder.file("m.pch"), folder.file("m.pch")).degrees.size(), 3U);
+  test::put(folder.file("grid.pch"), grid);
+  EXPECT_FALSE(is_dmig_file(folder.file("grid.pch")));
+}
+
 TEST(DmigMatrices, AreToldByTheirText) {
   EXPECT_FALSE(is_dmig("%%MatrixMarket matrix coordinate real symmetric\n"));
   EXPECT_FALSE(is_dmig("GRID    7\n"));
@@ -142,12 +168,11 @@ TEST(DmigMatrices, NameWhatIsWrong) {
             "triangle, and none is there twice");
   EXPECT_EQ(with("DMIG    MAAX           0       6", "DMIG    MAAX           0       x"),
             "m.pch:11:25: expected the form of the matrix, found 'x'");
-  // Without its last column; with a point left blank; complex; without the end of its last line.
-  EXPECT_EQ(with("DMIG*   KAAX                          40               0\n"
-                 "*                     12               3-2.000000000D+00\n"
-                 "*                     40               0 6.000000000D+00\n",
-                 ""),
-            "m.pch: KAAX = 2 columns; must have 3, as its header states. Is the file truncated?");
+  // Without the diagonal of its last column; with a point left blank; complex; without the end of
+  // its last line.
+  EXPECT_EQ(with("*                     40               0 6.000000000D+00\n", ""),
+            "m.pch: KAAX = x of 40 without its diagonal entry; must have one for each degree of "
+            "freedom that has others. Is the file truncated?");
   EXPECT_EQ(with("*                     40               0 6.0",
                  "*                      "
                  "                0 6.0"),

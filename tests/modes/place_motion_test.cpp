@@ -121,6 +121,27 @@ TEST(PlaceMotion, NamesWhatIsMissing) {
       "must have a position");
 }
 
+// Numbers of nodes have gaps: what a message says of a number within one.
+TEST(MeshRows, SayWhichNodesThereAre) {
+  const auto refusal = [](const std::vector<std::int64_t>& nodes, RowsOf of) {
+    MeshedStructure structure;
+    structure.matrices.stiffness.size = nodes.size();
+    for (const std::int64_t node : nodes) {
+      structure.matrices.degrees.push_back({node, NodalDirection::kX});
+    }
+    structure.nodes.push_back({.number = 9});
+    return test::message_or("", [&] { return MeshRows(structure, of).rows("here", 9); });
+  };
+  test::expect_message(refusal({1, 7, 41}, RowsOf::kTest),
+                       "here = node 9; must be a node of the test. It has nodes 1, 7 and 41 "
+                       "alone. It is a node of the mesh without values.");
+  test::expect_message(refusal({1, 2, 3}, RowsOf::kMatrices), "They have nodes 1 to 3. It is a");
+  test::expect_message(refusal({4}, RowsOf::kMatrices), "They have node 4 alone.");
+  test::expect_message(
+      refusal({1, 2, 3, 4, 5, 6, 7, 8, 12, 13}, RowsOf::kMatrices),
+      "10 nodes from 1 to 13, with gaps; the one before is 8; the one after is 12");
+}
+
 TEST(MeshRows, RefuseDegreesOfFreedomThatAreTwice) {
   MeshedStructure structure = cloud(2, 4);
   structure.matrices.degrees[3] = structure.matrices.degrees[0];

@@ -15,6 +15,7 @@ namespace {
 
 /// An arm or a moment of inertia below this share of the largest is rounding of positions.
 constexpr double kRounding = 1e-10;
+constexpr std::size_t kNodesListed = 8;  // of nodes with gaps in their numbers
 
 NodalDirection along(std::size_t k) { return static_cast<NodalDirection>(k); }
 NodalDirection about(std::size_t k) { return static_cast<NodalDirection>(k + 3); }
@@ -148,10 +149,38 @@ std::vector<std::pair<NodalDirection, std::size_t>> MeshRows::rows(const std::st
                      "Name rows, or give the degrees of freedom.");
   }
   const bool of_test = rows_of_ == RowsOf::kTest;
+  std::string remedy = (of_test ? "It has " : "They have ") + nodes_near(node) + ".";
+  if (nodes_.contains(node)) {
+    remedy += of_test ? " It is a node of the mesh without values."
+                      : " It is a node of the mesh "
+                        "without rows: it may be fixed, or depend on others, where they were made.";
+  }
   throw InputError(place, node_name(node),
                    of_test ? "must be a node of the test" : "must be a node of the matrices",
-                   fmt::format("{} nodes {} to {}.", of_test ? "It has" : "They have",
-                               rows_.begin()->first.node, rows_.rbegin()->first.node));
+                   remedy);
+}
+
+std::string MeshRows::nodes_near(std::int64_t node) const {
+  std::vector<std::int64_t> all;
+  for (const auto& [degree, row] : rows_) {
+    if (all.empty() || all.back() != degree.node) all.push_back(degree.node);
+  }
+  if (all.size() == 1) return fmt::format("node {} alone", all.front());
+  const bool in_turn = all.back() - all.front() + 1 == static_cast<std::int64_t>(all.size());
+  if (in_turn) return fmt::format("nodes {} to {}", all.front(), all.back());
+  if (all.size() <= kNodesListed) {
+    std::string text = fmt::format("nodes {}", all.front());
+    for (std::size_t i = 1; i < all.size(); ++i) {
+      text += fmt::format("{}{}", i + 1 < all.size() ? ", " : " and ", all[i]);
+    }
+    return text + " alone";
+  }
+  std::string text =
+      fmt::format("{} nodes from {} to {}, with gaps", all.size(), all.front(), all.back());
+  const auto next = std::ranges::lower_bound(all, node);
+  if (next != all.begin()) text += fmt::format("; the one before is {}", *(next - 1));
+  if (next != all.end()) text += fmt::format("; the one after is {}", *next);
+  return text;
 }
 
 std::size_t MeshRows::checked(const std::string& place, std::size_t row) const {

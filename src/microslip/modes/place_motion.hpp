@@ -45,6 +45,9 @@ class MeshRows {
   [[nodiscard]] Eigen::Vector3d position(const std::string& place, std::int64_t node) const;
 
  private:
+  /// "nodes 1 to 5", or those there are about a number that is none.
+  [[nodiscard]] std::string nodes_near(std::int64_t node) const;
+
   const MeshedStructure& structure_;
   RowsOf rows_of_;
   std::map<DegreeOfFreedom, std::size_t> rows_;

@@ -16,6 +16,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/part_of_file.hpp"
+#include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/matrices/bulk_data.hpp"
 #include "microslip/io/matrices/symmetric_entries.hpp"
@@ -26,8 +27,7 @@ namespace {
 constexpr std::size_t kDmigHead = 65536;
 constexpr std::int64_t kSquare = 1;
 constexpr std::int64_t kSymmetric = 6;
-constexpr std::size_t kColumnsField = 7;  // NCOL of a header
-constexpr std::size_t kHeadFields = 3;    // of a column: name, point and component come before
+constexpr std::size_t kHeadFields = 3;  // of a column: name, point and component come before
 constexpr std::size_t kLongestName =
     16;  // the wide field's; that of eight columns has shorter ones
 constexpr std::size_t kNamesShown = 10;
@@ -41,8 +41,7 @@ struct DmigEntry {
 
 struct DmigMatrix {
   std::string name;
-  std::int64_t form = 0;    ///< 0 without a header
-  std::size_t columns = 0;  ///< as the header says; 0 where it does not
+  std::int64_t form = 0;  ///< 0 without a header
   std::vector<DmigEntry> entries;
 };
 
@@ -56,6 +55,12 @@ DegreeOfFreedom degree_at(const BulkData& data, std::size_t i) {
   }
   degree.direction = static_cast<NodalDirection>(std::max<std::int64_t>(number - 1, 0));
   return degree;
+}
+
+/// "z of 12".
+std::string degree_text(const DegreeOfFreedom& degree) {
+  return fmt::format("{} of {}", kNodalDirectionNames[static_cast<std::size_t>(degree.direction)],
+                     degree.node);
 }
 
 /// The entries of one column: point, component, real and imaginary part each.
@@ -96,7 +101,6 @@ class DmigFile {
       throw InputError(fmt::format("{}: {}", source_.file, matrix.name), form_text(matrix),
                        "must be of form 6, symmetric, or 1, square");
     }
-    if (source_.initial == 'K') require_columns(matrix);
     return std::move(matrix);
   }
 
@@ -121,11 +125,6 @@ class DmigFile {
         throw FormatError(data.place(data.field(3)), "real numbers, of type 1 or 2",
                           in_quotes(data.field(3).text));
       }
-      const bool given = !data.field(kColumnsField).text.empty();
-      if (given) {
-        matrix.columns =
-            static_cast<std::size_t>(data.integer(kColumnsField, "the number of columns"));
-      }
     } else {
       take_column(data, matrix);
     }
@@ -142,17 +141,6 @@ class DmigFile {
 
   static std::string form_text(const DmigMatrix& matrix) {
     return matrix.form == 0 ? "without a header" : fmt::format("of form {}", matrix.form);
-  }
-
-  /// A stiffness has no column without entries: where some are missing the file is cut.
-  void require_columns(const DmigMatrix& matrix) const {
-    std::set<DegreeOfFreedom> columns;
-    for (const DmigEntry& entry : matrix.entries) columns.insert(entry.column);
-    if (matrix.columns == 0 || columns.size() == matrix.columns) return;
-    throw InputError(fmt::format("{}: {}", source_.file, matrix.name),
-                     fmt::format("{} columns", columns.size()),
-                     fmt::format("must have {}, as its header states", matrix.columns),
-                     "Is the file truncated?");
   }
 
   /// Of those that no name was given for the square ones alone.
@@ -212,13 +200,29 @@ void require_single(const MatrixEntries& entries, const std::vector<DegreeOfFree
   const auto twice = std::ranges::adjacent_find(places);
   if (twice == places.end()) return;
   const auto text = [&](std::int32_t i) {
-    const DegreeOfFreedom& degree = degrees[static_cast<std::size_t>(i)];
-    return fmt::format("{} of {}", kNodalDirectionNames[static_cast<std::size_t>(degree.direction)],
-                       degree.node);
+    return degree_text(degrees[static_cast<std::size_t>(i)]);
   };
   throw InputError(name, fmt::format("{} and {}", text(twice->first), text(twice->second)),
                    "must have one entry: a matrix of form 6 has one triangle, and none is there "
                    "twice");
+}
+
+/// A stiffness with entries beside a diagonal that is missing is none. (NCOL of a header is of
+/// rectangular matrices, and columns of zeros are not punched.)
+void require_diagonal(const DmigMatrix& matrix, const std::string& file) {
+  std::set<DegreeOfFreedom> diagonal;
+  for (const DmigEntry& entry : matrix.entries) {
+    if (entry.row == entry.column) diagonal.insert(entry.row);
+  }
+  for (const DmigEntry& entry : matrix.entries) {
+    for (const DegreeOfFreedom& degree : {entry.row, entry.column}) {
+      if (entry.value == 0.0 || diagonal.contains(degree)) continue;
+      throw InputError(fmt::format("{}: {}", file, matrix.name),
+                       fmt::format("{} without its diagonal entry", degree_text(degree)),
+                       "must have one for each degree of freedom that has others",
+                       "Is the file truncated?");
+    }
+  }
 }
 
 /// A symmetric one has each pair once, in whichever triangle.
@@ -265,7 +269,11 @@ bool is_dmig(std::string_view head) {
 }
 
 bool is_dmig_file(const std::string& path) {
-  return is_dmig(read_file_head(part_of_file(path).file, kDmigHead));
+  const std::string file = part_of_file(path).file;
+  const std::string head = read_file_head(file, kDmigHead);
+  if (is_dmig(head)) return true;
+  if (head.size() < kDmigHead || head.starts_with('%') || !signature(head).empty()) return false;
+  return is_dmig(read_file(file));  // behind other bulk data
 }
 
 StructuralMatrices read_dmig_matrices(const std::string& stiffness, const std::string& mass) {
@@ -288,6 +296,7 @@ StructuralMatrices parse_dmig_matrices(const DmigSource& stiffness, const DmigSo
   add_degrees(k, matrices.degrees);
   add_degrees(m, matrices.degrees);
   matrices.stiffness = entries_of(k, matrices.degrees, stiffness.file);
+  require_diagonal(k, stiffness.file);
   matrices.mass = entries_of(m, matrices.degrees, mass.file);
   return matrices;
 }

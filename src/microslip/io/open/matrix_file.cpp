@@ -26,7 +26,8 @@ SymmetricEntries read_matrix_file(const std::string& path) {
   }
   if (part.variable.empty()) return read_matrix_market(path);
   throw InputError(part.file, in_quotes(":" + part.variable),
-                   "must follow a file of MATLAB or HDF5, to name a matrix in it");
+                   "must follow a file of MATLAB, HDF5 or DMIG entries, to name a matrix in it; "
+                   "this file is none of them");
 }
 
 }  // namespace microslip
