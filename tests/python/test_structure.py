@@ -2,6 +2,7 @@
 """Structures, their vibrations and marches: the program, closed forms, other solvers."""
 
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -218,6 +219,51 @@ def test_missing_modes_are_reported(joint):
     with pytest.warns(microslip.MicroslipWarning, match="modes_missing"):
         curve = microslip.frequency_response(few, 5.0, 40, 60)
     assert "modes_missing" in [note.code for note in curve.warnings]
+
+
+def two_masses(**options):
+    return microslip.modes(
+        np.array([[3e6, -1e6], [-1e6, 1e6]]), np.diag([1.5, 0.8]), points={"tip": 1},
+        joints={"lap": (0, 1, 4e6)}, **options,
+    )  # fmt: skip
+
+
+def test_modes_that_are_all_lack_none(joint):
+    # Two masses have two modes: the program declares static_attachments = 0 for the same matrices.
+    lap = microslip.Joint(4e6, [microslip.Uniform(0, 200, 0.8)])
+    for attachment in (True, False):
+        whole = two_masses(count=2, attachment=attachment).structure({"lap": lap}, damping_ratio=0.002)
+        assert whole.static_attachments == 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            curve = microslip.frequency_response(whole, 30.0, 100.0, 400.0)
+        assert not curve.warnings
+    # One of the two without attachments: what it leaves out is not known.
+    part = two_masses(count=1, attachment=False).structure({"lap": lap}, damping_ratio=0.002)
+    assert part.static_attachments is None
+
+
+def test_a_warning_with_other_figures_is_shown_once(joint):
+    few = microslip.Structure(
+        [40.0, 95.0], {"drive": [0.7, 0.4]}, damping_ratio=0.02,
+        joints=[microslip.StructuralJoint(joint, [0.25, 0.6])],
+    )  # fmt: skip
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter("default")
+        curves = [microslip.frequency_response(few, force, 40, 60) for force in (5.0, 6.0, 7.0)]
+    texts = [note.text for curve in curves for note in curve.warnings]
+    assert len(set(texts)) > 1
+    assert len([one for one in seen if "modes_missing" in str(one.message)]) == 1
+
+
+def test_warnings_of_other_places_are_others():
+    from microslip._results import _WarningText as Text
+
+    assert Text("a: 2.5 % of 1e-07 m") == Text("a: 31 % of -2.1e-08 m")
+    assert hash(Text("a: 2.5 %")) == hash(Text("a: 3 %"))
+    assert Text("of joint1: 2 %") != Text("of joint2: 2 %")
+    assert Text("of '1': 2 %") != Text("of '2': 2 %")
+    assert str(Text("a: 2.5 %")) == "a: 2.5 %"
 
 
 def test_points_and_joints_of_one_name_are_columns_each(joint):

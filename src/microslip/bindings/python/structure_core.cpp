@@ -253,6 +253,7 @@ py::dict dict_of(const StructureModes& modes) {
   }
   return py::dict("linear"_a = linear_part(modes.model, modes.model.static_modes()),
                   "joint_shapes"_a = shapes, "compliances"_a = compliances,
+                  "degrees_of_freedom"_a = modes.degrees_of_freedom,
                   "warnings"_a = list_of(modes.warnings));
 }
 

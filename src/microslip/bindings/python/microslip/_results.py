@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import html
+import re
 import sys
 import warnings as python_warnings
 from collections.abc import Iterable, Mapping
@@ -89,12 +90,36 @@ def summary_of(numbers: Mapping[str, Any]) -> Summary:
     return Summary(**numbers)
 
 
+class _WarningText(str):
+    """The text of a warning, equal to another that differs in figures alone.
+
+    `warnings` shows a text once per line of a program: in a loop, the same warning with other
+    figures is no other. Digits within names and quotes distinguish, as of `joint1` and `joint2`.
+    """
+
+    _FIGURES = re.compile(r"'[^']*'|(?<![\w.])[-+]?\d[\d.]*(?:e[-+]?\d+)?")
+
+    def _without_figures(self) -> str:
+        return self._FIGURES.sub(lambda found: found[0] if found[0][0] == "'" else "#", str(self))
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, _WarningText):
+            return self._without_figures() == other._without_figures()
+        return super().__eq__(other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(self._without_figures())
+
+
 def warn(text: str) -> None:
     """Issues a warning at the user's line that led here."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("microslip."):
         level, frame = level + 1, frame.f_back
-    python_warnings.warn(text, MicroslipWarning, stacklevel=level)
+    python_warnings.warn(_WarningText(text), MicroslipWarning, stacklevel=level)
 
 
 def warn_of(pairs: Iterable[tuple[str, str]]) -> None:

@@ -441,6 +441,7 @@ class Modes(Shown):
     compliances: tuple[Compliance, ...]
     warnings: tuple[Note, ...]
     _springs: dict[str, float]
+    _complete: bool  # whether what the modes leave out is known: attached, or nothing
 
     def structure(
         self,
@@ -474,7 +475,7 @@ class Modes(Shown):
             excitation=excitation,
             bases=self.bases,
             static_loads=static_loads,
-            static_attachments=self.static_attachments or None,
+            static_attachments=self.static_attachments if self._complete else None,
         )
 
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
@@ -566,14 +567,14 @@ def modes(
         "attached_points": names(attached_points, "attached_points"),
     }
     found = _core.compute_modes(size, k_entries, m_entries, on_it, options, progress_of(progress))
-    result = _modes_of(found, between, stuck)
+    result = _modes_of(found, between, stuck, attachment)
     for note in result.warnings:
         warn(str(note))
     return result
 
 
 def _modes_of(found: dict[str, Any], between: list[tuple[str, Optional[int], int, float]],
-              stuck: bool) -> Modes:  # fmt: skip
+              stuck: bool, attachment: bool) -> Modes:  # fmt: skip
     linear = found["linear"]
     point_names = [name for name, _ in linear["points"]]
     return Modes(
@@ -586,6 +587,7 @@ def _modes_of(found: dict[str, Any], between: list[tuple[str, Optional[int], int
         compliances=tuple(Compliance(*numbers) for numbers in found["compliances"]),
         warnings=notes(found["warnings"]),
         _springs={joint[0]: joint[3] if stuck else 0.0 for joint in between},
+        _complete=attachment or len(linear["angular_frequency"]) == found["degrees_of_freedom"],
     )  # fmt: skip
 
 
