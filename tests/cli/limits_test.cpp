@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "cli/run_program.hpp"
 #include "cli/samples.hpp"
+#include "support/effort.hpp"
 #include "support/replaced.hpp"
 
 /// Calls of legal form that ask for more memory or time than there is: refused before the work,
@@ -74,6 +78,77 @@ TEST(Limits, OfTimeAreToldBeforehand) {
   expect_refused_by(
       box, {"spectrum", "shock.csv", "--frequency", "1:1000:1000", "--out", "x.csv"}, kTime,
       {"steps of a response spectrum", "1000 natural frequencies", "a shorter record"});
+}
+
+// Dense matrices over 11 coefficients of each joint: five of them, of 471 joints, take 1 GiB.
+TEST(Limits, OfJointsOfOneStructure) {
+  std::string model = test::get(MICROSLIP_EXAMPLES "/one_mass/model.toml");
+  for (int i = 1; i < 1000; ++i) {
+    model += fmt::format("[[joint]]\nname = \"a{}\"\nfile = \"joint.json\"\nshape = [1.0]\n", i);
+  }
+  const Sandbox box{{"joint.json", kJointText}, {"many.toml", model}};
+  for (const Arguments& call :
+       {Arguments{"frf", "many.toml", "--force", "1", "--frequency", "1:2", "--out", "x.csv"},
+        Arguments{"backbone", "many.toml", "--response", "1um:2um:2", "--out", "x.csv"}}) {
+    expect_refused(
+        box, call,
+        {"number of joints = 1000", "471 at most with 5 harmonics", "1 GiB", "Take fewer joints"});
+  }
+}
+
+/// A file as a crash of the system leaves it: its size, but zeros where nothing was written.
+void put_zeros(const Sandbox& box, const std::string& name, const std::string& head) {
+  constexpr std::size_t kSize = 800'000'000;
+  box.put(name, head);
+  std::filesystem::resize_file(box.file(name), kSize);
+}
+
+// The limit is below the size of the file: it cannot have been read whole.
+TEST(Limits, OfAFileOfZerosAreItsFirst) {
+  const Sandbox box = sandbox();
+  put_zeros(box, "zeros.csv", "");
+  put_zeros(box, "tail.csv", sample_levels_text());
+  put_zeros(box, "zeros.toml", "");
+  Circumstances little;
+  if (!test::kSanitized) little.memory = 600'000'000;
+  const auto refused = [&](const Arguments& call, const Parts& parts) {
+    const Outcome run = box.run(call, little);
+    EXPECT_EQ(run.status, 2) << typed(call);
+    for (const std::string& part : parts) {
+      EXPECT_NE(run.err.find(part), std::string::npos) << part << ": " << run.err;
+    }
+  };
+  refused({"identify", "zeros.csv", "--stiffness", "1e5", "--out", "j.json"},
+          {"zeros.csv:1:1", "0x00", "Is this a text table?"});
+  refused({"identify", "tail.csv", "--stiffness", "1e5", "--out", "j.json"}, {"tail.csv:", "0x00"});
+  refused({"identify", "/dev/zero", "--stiffness", "1e5", "--out", "j.json"}, {"/dev/zero:1:1"});
+  refused({"convert", "zeros.csv", "--list"}, {"zeros.csv:1:1"});
+  refused({"loop", "joint.json", "--path", "zeros.csv", "--out", "x.csv"}, {"zeros.csv:1:1"});
+  refused({"plan", "zeros.csv", "--stiffness", "1e5", "--out", "x.csv"}, {"zeros.csv:1:1"});
+  refused({"frf", "zeros.toml", "--force", "1", "--frequency", "1:2", "--out", "x.csv"},
+          {"zeros.toml"});
+}
+
+TEST(Limits, OfWaitingForAPipeThatAFileNames) {
+  const Sandbox box = sandbox();
+  ASSERT_EQ(::mkfifo(box.file("pipe").c_str(), 0600), 0);
+  const Parts parts{"pipe", "a pipe or a device, and named in another file", "regular file"};
+  box.put("model.toml", test::replaced(box.get("model.toml"), "joint.json", "pipe"));
+  const Arguments frf{"frf", "model.toml", "--force", "1", "--frequency", "1:2", "--out", "x.csv"};
+  expect_refused(box, frf, parts);
+  box.put("model.toml", test::replaced(box.get("model.toml"), "pipe", "/dev/zero"));
+  expect_refused(box, frf, {"/dev/zero", parts[1]});
+  box.put("rig.toml", test::replaced(test::get(MICROSLIP_EXAMPLES "/reference_rig/rig.toml"),
+                                     "joint.json", "pipe"));
+  expect_refused(box, {"measure", "rig.toml", "--out", "made"}, parts);
+  box.put("plan.toml",
+          "schema = \"microslip.ensemble/1\"\nkind = \"bootstrap\"\n[bootstrap]\n"
+          "levels = \"pipe\"\nstiffness_N_per_m = 1.7e5\ncount = 20\n");
+  expect_refused(box, {"ensemble", "plan.toml", "--out", "x.h5"}, parts);
+  box.put("campaign.toml",
+          "schema = \"microslip.campaign/1\"\nstructure = \"pipe\"\n[[test]]\nname = \"a\"\n"
+          "file = \"levels.csv\"\nuse = \"identify\"\n");
+  expect_refused(box, {"campaign", "campaign.toml", "--out", "made"}, parts);
 }
 
 }  // namespace

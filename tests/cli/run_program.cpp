@@ -65,6 +65,10 @@ bool drop_rights() {
     const rlimit limit{*how.file_size, *how.file_size};
     if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(kCannotRun);
   }
+  if (how.memory) {
+    const rlimit limit{*how.memory, *how.memory};
+    if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(kCannotRun);
+  }
   if (how.ignored_signal) ::signal(*how.ignored_signal, SIG_IGN);
   if (::chdir(folder.c_str()) != 0) ::_exit(kCannotRun);
   if (how.unprivileged && !drop_rights()) ::_exit(kCannotRun);

@@ -38,6 +38,7 @@ struct Circumstances {
   std::vector<int> closed{};               ///< of 0, 1, 2
   std::optional<int> ignored_signal{};     ///< as `nohup` ignores SIGHUP
   std::optional<std::size_t> file_size{};  ///< no file can become larger, bytes
+  std::optional<std::size_t> memory{};     ///< addresses that it may use, bytes; not by a sanitizer
   std::vector<std::string> environment{};  ///< "NAME=VALUE", added to that of the test
   bool unprivileged = false;               ///< no more rights than any user, even where root tests
   std::optional<unsigned short>

@@ -29,6 +29,23 @@ TEST(InputFile, ReadsAllBytes) {
   }
 }
 
+TEST(InputFile, ReadsATextToItsFirstZero) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("f");
+  for (const std::size_t size : {0U, 1U, 4095U, 4096U, 1048575U, 1048576U, 3000000U}) {
+    const std::string text(size, 'x');
+    put(path, text);
+    EXPECT_EQ(read_text(path), text);
+  }
+  // A hole of 8 GiB, which no block after the first is read of.
+  put(path, "a,b\n1,2\n");
+  std::filesystem::resize_file(path, std::uintmax_t{1} << 33U);
+  EXPECT_EQ(message_of<FormatError>([&] { return read_text(path); }),
+            path + ":3:1: expected text, found the byte 0x00. Is this a text table?");
+  EXPECT_EQ(message_of<FileError>([&] { return read_text(path, 1000); }),
+            path + ": is larger than 1000 bytes. Is it the right file?");
+}
+
 TEST(InputFile, ReadsAPipe) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("pipe");

@@ -32,7 +32,7 @@ void check_number_matters(const SweepAxis& axis, const std::string& plan) {
 }  // namespace
 
 SweepJobs::SweepJobs(SweepPlan sweep, const EnsemblePlan& plan)
-    : sweep_(std::move(sweep)), text_(read_file(sweep_.model)) {
+    : sweep_(std::move(sweep)), text_(read_text(sweep_.model)) {
   const ModelFile model = parse_model(text_, input_name(sweep_.model));
   find_joints(model, plan.file);
   try_axes(plan.file);
@@ -60,7 +60,7 @@ void SweepJobs::find_joints(const ModelFile& model, const std::string& plan) {
     }
     const auto j = static_cast<std::size_t>(found - joints.begin());
     if (std::ranges::find(joints_, j, &JointText::joint) != joints_.end()) continue;
-    joints_.push_back({j, axis.joint, model.joint_files[j], read_file(model.joint_files[j])});
+    joints_.push_back({j, axis.joint, model.joint_files[j], read_text(model.joint_files[j])});
   }
 }
 

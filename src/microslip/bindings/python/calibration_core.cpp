@@ -94,7 +94,7 @@ py::dict read_modal_levels(const std::vector<std::string>& paths,
   for (const StructuralJoint& joint : model->structure.joints()) joints.push_back(joint.name);
   ModalLevels levels;
   for (const std::string& path : paths) {
-    append(parse_modal_levels(read_file(path), input_name(path), joints,
+    append(parse_modal_levels(read_text(path), input_name(path), joints,
                               model->structure.linear().vibrations()),
            levels);
   }

@@ -41,7 +41,7 @@ DensityTable parse_density(std::string text, std::string_view file) {
 }
 
 DensityTable read_density(const std::string& path) {
-  return parse_density(read_file(path), input_name(path));
+  return parse_density(read_text(path), input_name(path));
 }
 
 CsvWriter density_table(const DensityTable& density) {

@@ -228,7 +228,7 @@ JointFile parse_joint(std::string_view text, std::string_view file) {
 }
 
 JointFile read_joint(const std::string& path) {
-  return parse_joint(read_file(path, kLargestJointFile), input_name(path));
+  return parse_joint(read_text(path, kLargestJointFile), input_name(path));
 }
 
 std::string format_joint(const JointFile& file) {

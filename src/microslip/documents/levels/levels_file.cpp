@@ -130,7 +130,7 @@ LevelsFile without_inner_reversals(const LevelsFile& file) {
 }
 
 LevelsFile read_levels(const std::string& path) {
-  return parse_levels(read_file(path), input_name(path));
+  return parse_levels(read_text(path), input_name(path));
 }
 
 CsvWriter levels_table(const Levels& levels) {

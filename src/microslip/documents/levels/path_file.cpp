@@ -20,7 +20,7 @@ DisplacementPath parse_path(std::string text, std::string_view file) {
 }
 
 DisplacementPath read_path(const std::string& path) {
-  return parse_path(read_file(path), input_name(path));
+  return parse_path(read_text(path), input_name(path));
 }
 
 CsvWriter loop_table(const DisplacementPath& path, std::span<const double> force) {

@@ -189,7 +189,7 @@ bool is_stepped_sine(const std::string& path) {
 std::vector<SteppedSine> read_stepped_sines(const std::string& path) {
   const PartOfFile part = part_of_file(path);
   if (!part.variable.empty()) return read_mat_sweeps(part);
-  return {parse_stepped_sine(read_file(path), input_name(path))};
+  return {parse_stepped_sine(read_text(path), input_name(path))};
 }
 
 }  // namespace microslip

@@ -151,7 +151,7 @@ LoadHistory parse_loads(std::string text, std::string_view file, const JointedSt
 
 LoadHistory read_loads(const std::string& path, const JointedStructure& structure,
                        NormalLoadLaw law) {
-  return parse_loads(read_file(path), input_name(path), structure, law);
+  return parse_loads(read_text(path), input_name(path), structure, law);
 }
 
 TableColumn load_column(const JointedStructure& structure, const LoadHistory& loads,

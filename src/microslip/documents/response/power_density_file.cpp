@@ -12,7 +12,7 @@
 namespace microslip {
 
 PowerDensity read_power_density(const std::string& path, const Dimension& of) {
-  const CsvTable table(read_file(path), input_name(path));
+  const CsvTable table(read_text(path), input_name(path));
   PowerDensity read{table.numbers("frequency", kFrequency),
                     table.numbers("density", of.power(2) / kFrequency)};
   try {

@@ -10,7 +10,7 @@
 namespace microslip {
 
 RequiredSpectrum read_required_spectrum(const std::string& path) {
-  const CsvTable table(read_file(path), input_name(path));
+  const CsvTable table(read_text(path), input_name(path));
   RequiredSpectrum read{table.numbers("frequency", kFrequency),
                         table.numbers("maximax", kAcceleration)};
   try {

@@ -281,7 +281,7 @@ ModelFile parse_model(std::string_view text, std::string_view file, JointsToFind
 }
 
 ModelFile read_model(const std::string& path, JointsToFind to_find) {
-  return parse_model(read_file(path, kLargestModelFile), input_name(path), to_find);
+  return parse_model(read_text(path, kLargestModelFile), input_name(path), to_find);
 }
 
 }  // namespace microslip

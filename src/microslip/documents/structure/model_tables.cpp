@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <complex>
-#include <filesystem>
 #include <utility>
 
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/io/bytes/closest_name.hpp"
+#include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/config/structured_input.hpp"
 
 namespace microslip {
@@ -246,7 +246,7 @@ std::string path_beside(const TomlTable& table, std::string_view key, std::strin
     throw InputError(table.name(key), in_quotes(file),
                      fmt::format("must be the path of {}, without control characters", what));
   }
-  const std::string path = (std::filesystem::path(model).parent_path() / file).string();
+  const std::string path = file_beside(std::string(model), file);
   return path == "-" ? "./-" : path;
 }
 

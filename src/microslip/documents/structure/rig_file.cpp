@@ -265,7 +265,7 @@ Rig parse_rig(std::string_view text, std::string_view file) {
 }
 
 Rig read_rig(const std::string& path) {
-  return parse_rig(read_file(path, kLargestRigFile), input_name(path));
+  return parse_rig(read_text(path, kLargestRigFile), input_name(path));
 }
 
 }  // namespace microslip

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "microslip/documents/structure/structure_places.hpp"
 #include "microslip/documents/structure/tested_structure_table.hpp"
 #include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/config/structured_input.hpp"
 #include "microslip/io/config/toml_input.hpp"
@@ -177,7 +177,7 @@ MeshFile read_nodes(const TomlTable& top, std::string_view file, double length_u
     names = table.texts("file");
   }
   for (const std::string& name : names) {
-    const std::string path = (std::filesystem::path(file).parent_path() / name).string();
+    const std::string path = file_beside(std::string(file), name);
     MeshFile mesh = read_named(table, "file", path,
                                [&](const std::string& its) { return read_mesh(its, length_unit); });
     all.nodes.insert(all.nodes.end(), mesh.nodes.begin(), mesh.nodes.end());
@@ -403,7 +403,7 @@ StructureFile parse_structure(std::string_view text, std::string_view file) {
 }
 
 StructureFile read_structure_file(const std::string& path) {
-  return parse_structure(read_file(path, kLargestStructureFile), input_name(path));
+  return parse_structure(read_text(path, kLargestStructureFile), input_name(path));
 }
 
 }  // namespace microslip

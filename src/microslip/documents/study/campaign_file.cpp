@@ -7,11 +7,11 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <set>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/config/structured_input.hpp"
 #include "microslip/io/config/toml_input.hpp"
@@ -56,7 +56,7 @@ std::string path_in(const TomlTable& table, std::string_view key, std::string_vi
   if (file.empty() || file == "-") {
     throw InputError(table.name(key), in_quotes(file), "must be the path of a file");
   }
-  return (std::filesystem::path(campaign).parent_path() / file).string();
+  return file_beside(std::string(campaign), file);
 }
 
 /// Names of tests and sessions become names of files.

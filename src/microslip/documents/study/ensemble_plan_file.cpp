@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <sstream>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/config/structured_input.hpp"
 #include "microslip/io/config/toml_input.hpp"
@@ -78,7 +78,7 @@ std::string path_of(const TomlTable& table, std::string_view key, std::string_vi
   if (file.empty() || file == "-") {
     throw InputError(table.name(key), in_quotes(file), "must be the path of a file");
   }
-  return (std::filesystem::path(plan).parent_path() / file).string();
+  return file_beside(std::string(plan), file);
 }
 
 /// A boolean of a plan, given once.
@@ -516,7 +516,7 @@ EnsemblePlan parse_ensemble_plan(std::string_view text, std::string_view file) {
 }
 
 EnsemblePlan read_ensemble_plan(const std::string& path) {
-  return parse_ensemble_plan(read_file(path, kLargestPlan), input_name(path));
+  return parse_ensemble_plan(read_text(path, kLargestPlan), input_name(path));
 }
 
 }  // namespace microslip

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "microslip/base/error.hpp"
+
 namespace microslip {
 namespace {
 
@@ -21,7 +23,13 @@ std::optional<Truncation> judge_truncation(const HarmonicBalance& balance,
                                            const ResponseCurve& curve, Quantity kept) {
   if (curve.points.empty() || balance.structure().joints().empty()) return std::nullopt;
   const std::size_t harmonics = 2 * balance.options().harmonics + 1;
-  return Truncation{solve_again(finer(balance, harmonics), curve, kept), harmonics};
+  try {
+    return Truncation{solve_again(finer(balance, harmonics), curve, kept), harmonics};
+  } catch (const InputError& error) {  // too many joints for so many harmonics
+    Truncation unknown{{}, harmonics};
+    unknown.unsolved = error.what();
+    return unknown;
+  }
 }
 
 std::optional<Warning> truncation_warning(const Truncation& truncation) {

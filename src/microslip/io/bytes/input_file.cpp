@@ -7,11 +7,14 @@
 #include <array>
 #include <filesystem>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/sha256.hpp"
+#include "microslip/io/bytes/signature.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 namespace microslip {
 namespace {
@@ -35,6 +38,43 @@ std::string read_all(InputStream& file, std::size_t limit) {
   return content;
 }
 
+/// Files of a known signature are left to their readers, which call them by their name.
+void check_text(std::string_view content, std::size_t from, const std::string& name) {
+  const std::size_t zero = content.find('\0', from);
+  if (zero == std::string_view::npos || !signature(content).empty()) return;
+  throw FormatError(place_at(content, zero, name), "text", "the byte 0x00",
+                    "Is this a text table?");
+}
+
+/// In blocks, each of which is judged before the next.
+std::string read_all_text(InputStream& file, std::size_t limit) {
+  constexpr std::size_t kLargestBlock = std::size_t{1} << 20U;
+  const std::size_t block =
+      std::clamp<std::size_t>(file.size().value_or(kLargestBlock) + 1, 4096, kLargestBlock);
+  std::string content;
+  for (;;) {
+    const std::size_t from = content.size();
+    content.resize(from + std::min(block, limit + 1 - from));
+    content.resize(from + file.read(content.data() + from, content.size() - from));
+    check_text(content, from, file.name());
+    if (content.size() > limit) fail_too_large(file.name(), limit);
+    if (content.size() == from) return content;
+    if (from == 0) content.reserve(file.size().value_or(0) + 1);
+  }
+}
+
+/// What reads all of a file, where that fits into memory.
+template <typename Read>
+std::string whole(InputStream& file, std::size_t limit, const Read& read) {
+  if (file.size().value_or(0) > limit) fail_too_large(file.name(), limit);
+  try {
+    return read(file, limit);
+  } catch (const std::bad_alloc&) {
+    throw FileError(file.name(), "does not fit into memory",
+                    "Is it the right file? If so, give a part of it.");
+  }
+}
+
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t limit) {
@@ -42,14 +82,12 @@ std::string read_file(const std::string& path, std::size_t limit) {
   return read_rest(file, limit);
 }
 
-std::string read_rest(InputStream& file, std::size_t limit) {
-  if (file.size().value_or(0) > limit) fail_too_large(file.name(), limit);
-  try {
-    return read_all(file, limit);
-  } catch (const std::bad_alloc&) {
-    throw FileError(file.name(), "does not fit into memory");
-  }
+std::string read_text(const std::string& path, std::size_t limit) {
+  InputStream file(path);
+  return whole(file, limit, read_all_text);
 }
+
+std::string read_rest(InputStream& file, std::size_t limit) { return whole(file, limit, read_all); }
 
 std::string sha256_of_rest(InputStream& file) {
   std::array<char, std::size_t{1} << 16U> block;

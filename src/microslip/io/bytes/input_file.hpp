@@ -17,6 +17,11 @@ inline constexpr std::size_t kLargestFile = std::size_t{16} << 30U;
 /// @throws FileError  where it does not exist, is a folder, may not be read or is too large.
 [[nodiscard]] std::string read_file(const std::string& path, std::size_t limit = kLargestFile);
 
+/// read_file() of a text. It is judged as it comes: at the first byte 0x00, which no text has but a
+/// file after a crash of the system or a device may have without end, nothing more is read.
+/// @throws FileError    as read_file(). @throws FormatError  naming the place of such a byte.
+[[nodiscard]] std::string read_text(const std::string& path, std::size_t limit = kLargestFile);
+
 class InputStream;
 
 /// Reads what is left of a stream. @throws FileError  as read_file().

@@ -202,7 +202,8 @@ std::string_view peek_kind_head(InputStream& file) {
   for (std::size_t size = kKindHeadSize;; size *= 4) {
     const std::string_view head = file.peek(size);
     const bool whole = head.size() < size || size >= kMost;
-    if (whole || !signature(head).empty() || has_line(head)) return head;
+    const bool no_text = head.find('\0') != std::string_view::npos;
+    if (whole || no_text || !signature(head).empty() || has_line(head)) return head;
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/number_lines.hpp"
 #include "microslip/io/matrices/symmetric_entries.hpp"
@@ -79,15 +80,16 @@ std::vector<DegreeOfFreedom> parse_degrees(std::string_view text, std::string_vi
 }
 
 std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {
-  return parse_degrees(read_file(path), input_name(path));
+  return parse_degrees(read_text(path), input_name(path));
 }
 
 StructuralMatrices read_calculix_matrices(const std::string& job) {
+  for (const char* ending : {".dof", ".sti", ".mas"}) check_named_file(job + ending);
   StructuralMatrices matrices;
   matrices.degrees = read_degrees(job + ".dof");
   const std::size_t size = matrices.degrees.size();
-  matrices.stiffness = parse_triangle(read_file(job + ".sti"), job + ".sti", size);
-  matrices.mass = parse_triangle(read_file(job + ".mas"), job + ".mas", size);
+  matrices.stiffness = parse_triangle(read_text(job + ".sti"), job + ".sti", size);
+  matrices.mass = parse_triangle(read_text(job + ".mas"), job + ".mas", size);
   return matrices;
 }
 

@@ -279,8 +279,8 @@ bool is_dmig_file(const std::string& path) {
 StructuralMatrices read_dmig_matrices(const std::string& stiffness, const std::string& mass) {
   const PartOfFile k = part_of_file(stiffness);
   const PartOfFile m = part_of_file(mass);
-  const std::string text = read_file(k.file);
-  const std::string other = m.file == k.file ? std::string() : read_file(m.file);
+  const std::string text = read_text(k.file);
+  const std::string other = m.file == k.file ? std::string() : read_text(m.file);
   return parse_dmig_matrices(
       {.text = text, .file = input_name(k.file), .name = k.variable, .initial = 'K'},
       {.text = m.file == k.file ? text : other,

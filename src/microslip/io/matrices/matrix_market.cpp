@@ -165,7 +165,7 @@ SymmetricEntries parse_matrix_market(std::string_view text, std::string_view fil
 }
 
 SymmetricEntries read_matrix_market(const std::string& path) {
-  return parse_matrix_market(read_file(path), input_name(path));
+  return parse_matrix_market(read_text(path), input_name(path));
 }
 
 }  // namespace microslip

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -15,6 +14,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 
 namespace microslip {
@@ -153,8 +153,8 @@ class InputReader {
                        fmt::format("must not be the {}th file within another", depth + 1),
                        "Do files include each other?");
     }
-    const std::string path = (std::filesystem::path(place.file).parent_path() / include).string();
-    read(read_file(path), path, depth + 1);
+    const std::string path = file_beside(place.file, include);
+    read(read_text(path), path, depth + 1);
   }
 
   void begin_elements(const std::string& type) {

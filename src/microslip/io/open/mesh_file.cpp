@@ -56,9 +56,9 @@ MeshFile read_mesh(const std::string& path, double length_unit) {
   if (is_uff_marker(line)) {
     mesh = read_uff_nodes(path, length_unit);
   } else if (trimmed(line).starts_with('*')) {
-    mesh = parse_mesh_input(read_file(path), path, length_unit);
+    mesh = parse_mesh_input(read_text(path), path, length_unit);
   } else {
-    mesh = parse_node_table(read_file(path), path);
+    mesh = parse_node_table(read_text(path), path);
   }
   if (!mesh.nodes.empty() || !mesh.sets.empty()) return mesh;
   throw FormatError({path, 0, 0},

@@ -81,9 +81,9 @@ OpenedCampaign open_campaign(const CampaignRun& run) {
   if (run.campaign == "-") {
     throw InputError("campaign", "standard input", "must be a file: its folder has the tests");
   }
-  NamedInput campaign{run.campaign, read_file(run.campaign)};
+  NamedInput campaign{run.campaign, read_text(run.campaign)};
   CampaignFile plan = parse_campaign(campaign.text, input_name(run.campaign));
-  NamedInput structure{plan.structure, read_file(plan.structure, kLargestStructure)};
+  NamedInput structure{plan.structure, read_text(plan.structure, kLargestStructure)};
   check_structure(plan, structure.text);
   check_smoothing(run, plan);
   std::vector<std::string> paths;

@@ -52,8 +52,8 @@ std::string comment_of(const VerifiedRecordings& verified, const std::string& co
 
 VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
   check_distinct_files(options.recordings);
-  std::vector<NamedInput> inputs{{options.rig, read_file(options.rig)},
-                                 {options.joint, read_file(options.joint)}};
+  std::vector<NamedInput> inputs{{options.rig, read_text(options.rig)},
+                                 {options.joint, read_text(options.joint)}};
   const Rig rig = parse_rig(inputs[0]);
   const JointFile joint = parse_joint(inputs[1].text, input_name(options.joint));
   VerificationOptions verification = options.verification;

@@ -18,6 +18,7 @@
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/documents/response/virtual_measurement_file.hpp"
 #include "microslip/documents/structure/rig_writer.hpp"
+#include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/open/recording_file.hpp"
@@ -49,14 +50,14 @@ struct MeasurementInputs {
 };
 
 MeasurementInputs read_inputs(const MeasurementRun& options) {
-  const NamedInput rig_input{options.rig, read_file(options.rig, kLargestInput)};
+  const NamedInput rig_input{options.rig, read_text(options.rig, kLargestInput)};
   Rig rig = parse_rig(rig_input);
   const std::string joint_path = true_joint_path(rig, options.rig);
   if (!fs::exists(joint_path)) {
     throw InputError(input_name(options.rig) + ": contact.joint", "'" + joint_path + "'",
                      "must be there", "The path is relative to the folder of the rig.");
   }
-  const NamedInput joint_input{joint_path, read_file(joint_path, kLargestInput)};
+  const NamedInput joint_input{joint_path, read_text(joint_path, kLargestInput)};
   JointFile joint = parse_joint(joint_input.text, joint_path);
   const double damping = identified_damping(joint).value_or(0.0);
   std::string provenance =
@@ -356,7 +357,7 @@ std::string true_joint_path(const Rig& rig, const std::string& rig_path) {
                      "Add joint = \"FILE\" to [contact], the joint to be used as the true one; the "
                      "path is relative to the rig's.");
   }
-  return (fs::path(rig_path).parent_path() / rig.contact.joint).string();
+  return file_beside(rig_path, rig.contact.joint);
 }
 
 FinishedMeasurement run_measurement(const MeasurementRun& options) {

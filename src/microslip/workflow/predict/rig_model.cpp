@@ -70,8 +70,8 @@ RigModel model_of_rig(const std::string& rig_path, const std::string& joint_path
   if (joint_path == "-") {
     throw InputError("joint", "standard input", "must be a file, which the model names");
   }
-  const std::vector<NamedInput> inputs{{rig_path, read_file(rig_path)},
-                                       {joint_path, read_file(joint_path)}};
+  const std::vector<NamedInput> inputs{{rig_path, read_text(rig_path)},
+                                       {joint_path, read_text(joint_path)}};
   (void)parse_rig(inputs[0]);  // faults of the first file are reported first
   const JointFile file = parse_joint(inputs[1].text, joint_path);
   check_name("joint", joint_path);

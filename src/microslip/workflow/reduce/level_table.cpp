@@ -117,7 +117,7 @@ void check_assembly_column(const LevelsFile& file, AssemblyColumn use) {
 }  // namespace
 
 LevelTable read_level_table(const std::string& path, const LevelTableOptions& options) {
-  return level_table_of({path, read_file(path)}, options);
+  return level_table_of({path, read_text(path)}, options);
 }
 
 LevelTable level_table_of(NamedInput input, const LevelTableOptions& options) {

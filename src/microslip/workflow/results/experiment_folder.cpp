@@ -87,7 +87,7 @@ class FolderReader {
     const std::string path = folder_ + "/" + name;
     std::error_code none;
     if (!fs::is_regular_file(path, none)) return std::nullopt;
-    NamedInput input{path, read_file(path)};
+    NamedInput input{path, read_text(path)};
     results_.files.push_back({name, sha256(input.text), made_by(input.text)});
     return input;
   }
