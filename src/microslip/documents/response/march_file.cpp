@@ -54,7 +54,8 @@ std::string header_line(const JointedStructure& structure, const LoadHistory& lo
   std::string line;
   const auto add = [&](std::string_view name, const Dimension& dimension) {
     check_column_name(name);
-    line += fmt::format("{}{} [{}]", line.empty() ? "" : ",", name, si_unit(dimension));
+    if (!line.empty()) line += ',';
+    append_text_cell(line, fmt::format("{} [{}]", name, si_unit(dimension)));
   };
   add("time", kTime);
   for (const PointForce& at : loads.forces) {

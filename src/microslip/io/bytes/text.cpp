@@ -11,6 +11,17 @@
 namespace microslip {
 namespace {
 
+/// Characters that turn the direction of a text, or end a line of it, and show nothing: U+061C,
+/// U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069.
+bool turns_text(std::string_view character) {
+  if (character == "\xD8\x9C") return true;
+  if (character.size() != 3 || !character.starts_with('\xE2')) return false;
+  const auto second = static_cast<unsigned char>(character[1]);
+  const auto third = static_cast<unsigned char>(character[2]);
+  return (second == 0x80 && (third == 0x8E || third == 0x8F || (third >= 0xA8 && third <= 0xAE))) ||
+         (second == 0x81 && third >= 0xA6 && third <= 0xA9);
+}
+
 bool starts_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
 /// Moves the first character of a text, not empty, to the result as printable() has it.
@@ -40,10 +51,9 @@ std::size_t printable_length(std::string_view text) {
     return 0;
   }
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
-  return std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length),
-                     continues)
-             ? length
-             : 0;
+  const bool whole =
+      std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length), continues);
+  return whole && !turns_text(text.substr(0, length)) ? length : 0;
 }
 
 std::string printable(std::string_view text) {

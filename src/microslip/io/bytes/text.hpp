@@ -15,7 +15,8 @@ namespace microslip {
 /// Some programs begin a text of UTF-8 with it.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// The text fit for a message of one line: bytes that are no printable UTF-8 written as `\xNN`.
+/// The text fit for a message of one line: bytes that are no printable UTF-8 written as `\xNN`,
+/// among them controls and characters that turn the direction of a text.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// printable() in single quotes: cut after `limit` bytes with its length in all.

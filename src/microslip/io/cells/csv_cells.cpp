@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -88,12 +89,31 @@ std::string_view remedy_for_cell(std::string_view cell) {
                                : "Correct the cell or remove the row.";
 }
 
+namespace {
+
+/// Before a text that a spreadsheet would take for a formula.
+constexpr char kFormulaGuard = '\'';
+
+/// Whether a spreadsheet would compute the text, by its first character; numbers it may.
+bool is_formula(std::string_view cell) {
+  return cell.size() > 1 && std::string_view("=+-@").find(cell.front()) != cell.npos &&
+         !parse_number(cell);
+}
+
+std::string_view without_guards(std::string_view cell) {
+  return cell.substr(std::min(cell.find_first_not_of(kFormulaGuard), cell.size()));
+}
+
+}  // namespace
+
 std::string unescaped(const RawCell& cell) {
   std::string text(cell.view());
-  if (!cell.quoted) return text;
-  for (std::size_t i = text.find("\"\""); i != std::string::npos; i = text.find("\"\"", i + 1)) {
-    text.erase(i, 1);
+  if (cell.quoted) {
+    for (std::size_t i = text.find("\"\""); i != std::string::npos; i = text.find("\"\"", i + 1)) {
+      text.erase(i, 1);
+    }
   }
+  if (text.starts_with(kFormulaGuard) && is_formula(without_guards(text))) text.erase(0, 1);
   return text;
 }
 
@@ -117,7 +137,7 @@ std::string on_one_line(std::string_view text) {
   for (char& c : result) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
   }
-  return result;
+  return printable(result);
 }
 
 void append_comment(std::string& text, std::string_view comment) {
@@ -137,6 +157,11 @@ void check_column_name(std::string_view name) {
 }
 
 void append_text_cell(std::string& text, std::string_view cell) {
+  std::string guarded;
+  if (is_formula(without_guards(cell))) {
+    guarded = kFormulaGuard + std::string(cell);
+    cell = guarded;
+  }
   const bool plain = !cell.empty() && cell.find_first_of(",;\"#") == std::string_view::npos &&
                      trimmed(cell).size() == cell.size() && !cell.starts_with(kByteOrderMark);
   if (plain) {

@@ -46,7 +46,8 @@ struct RawCell {
   }
 };
 
-/// The text of a cell; a doubled quote in quotes becomes one.
+/// The text of a cell; a doubled quote in quotes becomes one, and the guard of append_text_cell()
+/// goes.
 [[nodiscard]] std::string unescaped(const RawCell& cell);
 
 /// Name and unit of a column from the text of its header cell: `name [unit]`, and `name (unit)`
@@ -54,7 +55,8 @@ struct RawCell {
 /// empty.
 [[nodiscard]] std::optional<CsvColumn> parse_column(std::string_view text, bool parentheses);
 
-/// Control characters, line breaks among them, become blanks.
+/// The text fit for a line of a table: control characters, line breaks among them, become blanks,
+/// and all else is as printable() has it.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
 /// One `#` line per line of the text; control characters become blanks.
@@ -64,7 +66,9 @@ void append_comment(std::string& text, std::string_view comment);
 /// back.
 void check_column_name(std::string_view name);
 
-/// Quoted where it would not read back as it is; empty cells too, which could make a blank line.
+/// Quoted where it would not read back as it is; empty cells too, which could make a blank line. A
+/// text that begins with = + - or @ and is no number gets a single quote before it, or a
+/// spreadsheet would compute it as a formula.
 void append_text_cell(std::string& text, std::string_view cell);
 
 /// Remedy for a cell that should be a number but is not: dates, times of the day, others.

@@ -67,7 +67,7 @@ std::string CsvWriter::str() const {
   std::string text = comments_;
   for (const Column& column : columns_) {
     if (&column != columns_.data()) text += ',';
-    text += column.header;
+    append_text_cell(text, column.header);
   }
   text += '\n';
   for (std::size_t row = 0; row < rows_; ++row) {

@@ -30,6 +30,7 @@
 #include "microslip/workflow/predict/model_draws.hpp"
 #include "microslip/workflow/predict/model_rules.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
+#include "microslip/workflow/text/distinct_files.hpp"
 
 namespace microslip {
 namespace {
@@ -56,6 +57,12 @@ CampaignComment comment_of(const CampaignRun& run, const OpenedCampaign& opened)
     comment.text += fmt::format("\n{}: sha256 {}", printable(test.path), test.sha256);
   }
   return comment;
+}
+
+std::vector<Warning> copies_of_tests(const OpenedCampaign& opened) {
+  std::vector<InputHash> files;
+  for (const TestFile& test : opened.tests) files.push_back({test.path, test.sha256});
+  return same_content_warnings(files, "the test");
 }
 
 /// Standard deviations of losses that were found too small count so much more.
@@ -112,6 +119,7 @@ class CampaignWork {
     joints_->identify(stage(run_, 0, stages_), all);
     all.warnings =
         with_outliers_by_test(plan_, all.levels, all.sessions.dissipation, std::move(all.warnings));
+    std::ranges::move(copies_of_tests(opened_), std::back_inserter(all.warnings));
     all.conditions = condition_effects(plan_, all.levels, all.sessions);
     leave_out(all);
     const ModelFile nominal = joints_->model(all, all.warnings);

@@ -211,18 +211,10 @@ std::optional<TestDraws> draws_of_test(const TestsVerification& options, std::si
 }
 
 /// Copies of one file, which distinct names do not show.
-void add_same_content(const std::vector<ReadTest>& read, std::vector<Warning>& warnings) {
-  for (std::size_t i = 1; i < read.size(); ++i) {
-    const auto before = read.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto same = std::find_if(read.begin(), before, [&](const ReadTest& other) {
-      return other.digest == read[i].digest && part_of_file(other.path).variable.empty() &&
-             part_of_file(read[i].path).variable.empty();
-    });
-    if (same == before) continue;
-    warnings.push_back(
-        {"same_content", fmt::format("{} has the same content as {}: the test counts twice.",
-                                     input_name(read[i].path), input_name(same->path))});
-  }
+std::vector<Warning> copies_in(const std::vector<ReadTest>& read) {
+  std::vector<InputHash> files;
+  for (const ReadTest& test : read) files.push_back({test.path, test.digest});
+  return same_content_warnings(files, "the test");
 }
 
 template <typename Prediction>
@@ -248,7 +240,7 @@ bool VerifiedTests::converged() const {
 
 VerifiedTests verify_tests(const TestsVerification& options, const std::string& command) {
   check_distinct_files(options.tests);
-  const NamedInput input{options.model, read_file(options.model)};
+  const NamedInput input{options.model, read_text(options.model)};
   std::vector<ReadTest> read;
   VerifiedTests verified;
   const auto read_all = [&](const ModelFile* model) {
@@ -256,7 +248,7 @@ VerifiedTests verify_tests(const TestsVerification& options, const std::string& 
       read.push_back(read_test(path, model, options.model, options.reading));
     }
     check_test_options(options, read);
-    add_same_content(read, verified.warnings);
+    std::ranges::move(copies_in(read), std::back_inserter(verified.warnings));
   };
   const bool alone = file_kind(input.text) == kJointKind;
   check_predictor_options(options, alone);

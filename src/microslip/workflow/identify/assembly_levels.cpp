@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -121,6 +122,7 @@ AssemblyLevels read_assembly_levels(const std::vector<std::string>& paths, Assem
       read.warnings.push_back({warning.code, input_name(path) + ": " + warning.text});
     }
   }
+  std::ranges::move(same_content_warnings(read.inputs, "it"), std::back_inserter(read.warnings));
   for (GatheredAssembly& one : all) {
     check_losses_of(one);
     read.count.push_back(one.levels.size());

@@ -80,7 +80,7 @@ ModalLevels read_all_levels(const ModelCalibration& options, CalibratedModel& do
   ModalLevels levels;
   const std::vector<std::string> joints = names_of_joints(done.model);
   for (const std::string& path : options.levels) {
-    const std::string text = read_file(path);
+    const std::string text = read_text(path);
     done.inputs.push_back({path, sha256(text)});
     append(parse_modal_levels(text, input_name(path), joints,
                               done.model.structure.linear().vibrations()),
@@ -309,12 +309,14 @@ void calibrate_levels(const ModelCalibration& options, const ModalLevels& levels
     throw error.renamed(fmt::format("{}: {}", levels_name, error.name()));
   }
   std::ranges::move(mode_warnings(done.model), std::back_inserter(done.found.warnings));
+  std::ranges::move(same_content_warnings(done.inputs, "each level"),
+                    std::back_inserter(done.found.warnings));
 }
 
 CalibratedModel calibrate_model(const ModelCalibration& options) {
   check_distinct_files(options.levels);
   CalibratedModel done{.model = read_model_to_calibrate(options.model)};
-  done.inputs.push_back({options.model, sha256(read_file(options.model))});
+  done.inputs.push_back({options.model, sha256(read_text(options.model))});
   const ModalLevels levels = read_all_levels(options, done);
   calibrate_levels(options, levels, input_name(options.levels.front()), done);
   compose_calibration(options, levels, done);

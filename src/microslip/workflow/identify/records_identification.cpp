@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "microslip/base/percent.hpp"
@@ -152,6 +154,7 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
   Gathered all;
   gather_records(options, all);
   gather_levels(options, all);
+  std::ranges::move(same_content_warnings(all.inputs, "it"), std::back_inserter(all.warnings));
   IdentifiedRecords done{.source = all.source,
                          .input = std::move(all.input),
                          .tables = all.tables,

@@ -77,7 +77,7 @@ ReducedModalLevels reduce_modal_levels(const ReductionInputs& inputs,
   constexpr std::size_t kLargestModel = std::size_t{16} << 20U;
   NamedInput input = inputs.test_input
                          ? *inputs.test_input
-                         : NamedInput{inputs.test, read_file(inputs.test, kLargestModel)};
+                         : NamedInput{inputs.test, read_text(inputs.test, kLargestModel)};
   ModalReducer reducer = reducer_of(options, input);
   const std::size_t count = inputs.recordings.size();
   ReducedModalLevels reduced{std::move(input), inputs.recordings, std::move(reducer), {}, {}, {}};
@@ -97,6 +97,7 @@ ReducedModalLevels reduce_modal_levels(const ReductionInputs& inputs,
   };
   reduced.batch = reduce_batch(reduced.reducer, count, read,
                                {.skip_faulty = inputs.skip_faulty, .progress = inputs.progress});
+  reduced.warnings.push_back(copied_recordings(reduced.recordings, reduced.digests));
   return reduced;
 }
 

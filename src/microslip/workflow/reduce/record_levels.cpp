@@ -154,6 +154,8 @@ RecordLevels find_record_levels(ForceRecords read) {
   if (found.count() == 0) throw_no_cycle(found.records);
   found.inputs = std::move(read.inputs);
   found.warnings = std::move(read.warnings);
+  std::ranges::move(same_content_warnings(found.inputs, "the record"),
+                    std::back_inserter(found.warnings));
   for (const CyclesOfRecord& record : found.records) warn_of_left_out(record, found.warnings);
   std::ranges::move(flag_warnings(found.records), std::back_inserter(found.warnings));
   return found;

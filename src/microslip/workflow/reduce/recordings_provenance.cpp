@@ -7,6 +7,7 @@
 
 #include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/io/bytes/sha256.hpp"
+#include "microslip/workflow/text/distinct_files.hpp"
 
 namespace microslip {
 namespace {
@@ -47,6 +48,13 @@ std::string recordings_provenance(const std::string& command, const NamedInput& 
     text += fmt::format("\n{} recordings: sha256sum | sha256sum {}", count, sha256(list));
   }
   return text;
+}
+
+std::vector<Warning> copied_recordings(const std::vector<std::string>& recordings,
+                                       const std::vector<std::string>& digests) {
+  std::vector<InputHash> files;
+  for (std::size_t i = 0; i < digests.size(); ++i) files.push_back({recordings[i], digests[i]});
+  return same_content_warnings(files, "the recording");
 }
 
 }  // namespace microslip

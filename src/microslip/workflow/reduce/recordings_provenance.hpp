@@ -19,4 +19,8 @@ namespace microslip {
                                                 const std::vector<std::string>& recordings,
                                                 const std::vector<std::string>& digests);
 
+/// Warnings `same_content` of such recordings.
+[[nodiscard]] std::vector<Warning> copied_recordings(const std::vector<std::string>& recordings,
+                                                     const std::vector<std::string>& digests);
+
 }  // namespace microslip

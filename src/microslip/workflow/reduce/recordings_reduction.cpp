@@ -140,7 +140,7 @@ ReducedRecordings reduce_recordings(const ReductionInputs& inputs,
   constexpr std::size_t kLargestRig = std::size_t{1} << 20U;
   NamedInput input = inputs.test_input
                          ? *inputs.test_input
-                         : NamedInput{inputs.test, read_file(inputs.test, kLargestRig)};
+                         : NamedInput{inputs.test, read_text(inputs.test, kLargestRig)};
   const Rig rig = parse_rig(input);
   Reducer reducer = of_rig(input, [&] { return Reducer(rig, options); });
   const std::size_t count = inputs.recordings.size();
@@ -152,6 +152,7 @@ ReducedRecordings reduce_recordings(const ReductionInputs& inputs,
       files.begin_with_table()
           ? reduce_tables(reduced.reducer, inputs, files, reduced.digests)
           : reduce_records(reduced.reducer, inputs, files, reduced.digests, reduced.warnings);
+  reduced.warnings.push_back(copied_recordings(reduced.recordings, reduced.digests));
   return reduced;
 }
 

@@ -13,6 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/part_of_file.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 namespace microslip {
 namespace {
@@ -70,6 +71,27 @@ void check_distinct_files(std::span<const std::string> paths) {
                                  input_name(*other)),
                      "must be given only once, or it counts twice", "Leave one of them out.");
   }
+}
+
+std::vector<Warning> same_content_warnings(std::span<const InputHash> files,
+                                           std::string_view what) {
+  std::vector<Warning> warnings;
+  const auto is_whole = [](const InputHash& file) {
+    return !file.sha256.empty() && part_of_file(file.file).variable.empty();
+  };
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    if (!is_whole(files[i])) continue;
+    const auto before = files.first(i);
+    const auto same = std::ranges::find_if(before, [&](const InputHash& other) {
+      return is_whole(other) && other.sha256 == files[i].sha256;
+    });
+    if (same == before.end()) continue;
+    warnings.push_back(
+        {"same_content", fmt::format("{} has the same content as {}: {} counts twice.",
+                                     printable(input_name(files[i].file)),
+                                     printable(input_name(same->file)), what)});
+  }
+  return warnings;
 }
 
 }  // namespace microslip
