@@ -125,7 +125,7 @@ std::string of_three_assemblies(const std::string& levels) {
 }
 
 TEST(Help, ExamplesRun) {
-  const Sandbox box({{"levels.csv", sample_levels_text()},
+  const Sandbox box({{"levels.csv", "# microslip 0.1.0: may be replaced\n" + sample_levels_text()},
                      {"campaign.csv", of_three_assemblies(sample_levels_text())},
                      {"path.csv", "displacement [m]\n0\n1e-4\n-1e-4\n"},
                      {"record.csv", record_text(sample_record())},

@@ -18,8 +18,8 @@ namespace {
 
 Sandbox sandbox() {
   return Sandbox{{"levels.csv", sample_levels_text()},
-                 {"joint.json", kJointText},
-                 {"density.csv", "slip_force [N],density [1/N]\n0,0.1\n"}};
+                 {"joint.json", R"({"schema": "microslip.joint/1", "program": "microslip"})"},
+                 {"density.csv", "# microslip 0: old\nslip_force [N],density [1/N]\n0,0.1\n"}};
 }
 
 Arguments with_bands(std::size_t count) {

@@ -264,20 +264,52 @@ TEST(Killed, AtRandomMoments) {
   EXPECT_GT(hit, test::least_of(0.5) * draws);  // few may all come too late
 }
 
-/// Runs the call and kills it before the `number`th call of the system of this name on its files;
-/// whether it came to it.
+/// Environment of a call that gets a signal before the `number`th call of the system of this name
+/// on its files; the file tells that it came to it.
+std::vector<std::string> signalled(const Sandbox& box, int signal, const std::string& what,
+                                   int number, const std::string& came) {
+  return {"LD_PRELOAD=" + test::built_file("MICROSLIP_FAILING_CALLS", MICROSLIP_FAILING_CALLS),
+          "ASAN_OPTIONS=verify_asan_link_order=0",
+          "MICROSLIP_FAILING_FOLDER=" + fs::canonical(box.path()).string(),
+          "MICROSLIP_FAILING_CALL=" + what,
+          "MICROSLIP_FAILING_NUMBER=" + std::to_string(number),
+          "MICROSLIP_FAILING_SIGNAL=" + std::to_string(signal),
+          "MICROSLIP_FAILED=" + came};
+}
+
+/// Runs the call and kills it before that call of the system; whether it came to it.
 bool killed_before(const Killed& one, const std::string& what, int number) {
   const Sandbox outside;
-  const std::vector<std::string> environment{
-      "LD_PRELOAD=" + test::built_file("MICROSLIP_FAILING_CALLS", MICROSLIP_FAILING_CALLS),
-      "ASAN_OPTIONS=verify_asan_link_order=0",
-      "MICROSLIP_FAILING_FOLDER=" + fs::canonical(one.box().path()).string(),
-      "MICROSLIP_FAILING_CALL=" + what,
-      "MICROSLIP_FAILING_NUMBER=" + std::to_string(number),
-      "MICROSLIP_FAILING_SIGNAL=" + std::to_string(SIGKILL),
-      "MICROSLIP_FAILED=" + outside.file("failed")};
-  expect_ended(one.box().run(one.call(), {.environment = environment}), SIGKILL);
+  const Circumstances how{.environment =
+                              signalled(one.box(), SIGKILL, what, number, outside.file("failed"))};
+  expect_ended(one.box().run(one.call(), how), SIGKILL);
   return outside.has("failed");
+}
+
+Arguments three_files(const std::string& seed) {
+  return {"identify",      "levels.csv", "--stiffness",   "1.7e5", "--out",  "j.json",
+          "--density-csv", "d.csv",      "--samples-out", "s.h5",  "--seed", seed,
+          "--samples",     "20",         "--quiet"};
+}
+
+// A signal that can be caught waits until all outputs have their names: no set of two calls stays.
+TEST(Killed, AmongNamesLeavesTheFilesOfOneCall) {
+  const Sandbox box{{"levels.csv", sample_levels_text()}};
+  ASSERT_EQ(box.run(three_files("2")).status, 0);
+  const Contents second = box.content();
+  ASSERT_EQ(box.run(three_files("1")).status, 0);
+  const Contents first = box.content();
+  int number = 0;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1}) {
+    const Sandbox outside;
+    number = number % 3 + 1;
+    const auto environment = signalled(box, signal, "rename", number, outside.file("came"));
+    const Outcome run = box.run(three_files("2"), {.environment = environment});
+    EXPECT_TRUE(outside.has("came"));
+    EXPECT_EQ(run.signal, signal) << run.err;
+    EXPECT_TRUE(box.content() == second) << "signal " << signal << " at name " << number;
+    for (const auto& [name, text] : first) box.put(name, text);
+  }
 }
 
 class KilledBefore : public ::testing::TestWithParam<std::string> {};

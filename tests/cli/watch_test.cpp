@@ -163,6 +163,20 @@ TEST(watch, WritesAReport) {
   EXPECT_EQ(box.run(call).status, 0) << "it replaces what it wrote";
 }
 
+TEST(watch, FailsWhereNothingCanBeWritten) {
+  const Sandbox box{{"levels.csv", sample_levels_text()}};
+  const Arguments call{"watch", ".", "--interval", "0.1", "--once", "--stiffness", "1.7e5"};
+  const Outcome nothing = box.run(with(call, {"--no-report"}), {.file_size = 1000});
+  EXPECT_EQ(nothing.status, 1);
+  EXPECT_TRUE(says(nothing.err, "joint.json: cannot be written")) << nothing.err;
+  EXPECT_FALSE(box.has("joint.json"));
+  // Its report alone has more than 100 kB.
+  const Outcome no_report = box.run(call, {.file_size = 100'000});
+  EXPECT_EQ(no_report.status, 1);
+  EXPECT_TRUE(says(no_report.err, "watch.html is not written")) << no_report.err;
+  EXPECT_TRUE(box.has("joint.json"));
+}
+
 TEST(watch, ReplacesNothingOfOthers) {
   for (const std::string name : {"joint.json", "watch.html", "density.csv", "next_levels.csv"}) {
     const Sandbox box{{"record.csv", record_text(sample_record())}, {name, kJointText}};

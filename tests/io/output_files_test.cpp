@@ -28,9 +28,11 @@ using test::message_of;
 using test::put;
 using Names = std::vector<std::string>;
 
-const std::string kLevelsText = "amplitude [m],dissipation [J]\n1,2\n";
-const std::string kOtherLevels = "amplitude [m],dissipation [J],source\n3,4,x\n";
-const std::string kDensityText = "slip_force [N],density [1/N]\n0,1\n";
+/// By which a table shows that it may be replaced.
+const std::string kOwn = "# microslip 0.1.0: microslip identify\n";
+const std::string kLevelsText = kOwn + "amplitude [m],dissipation [J]\n1,2\n";
+const std::string kOtherLevels = kOwn + "amplitude [m],dissipation [J],source\n3,4,x\n";
+const std::string kDensityText = kOwn + "slip_force [N],density [1/N]\n0,1\n";
 const std::string kJointText = "{\"schema\": \"microslip.joint/1\"}";
 
 std::string fault(const std::string& path, const std::string& content) {
@@ -98,6 +100,41 @@ TEST(OutputFiles, ReplacesAFileOfItsKind) {
   struct stat status {};
   ASSERT_EQ(::stat(folder.file("levels.csv").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0604U) << "permissions stay";
+}
+
+TEST(OutputFiles, ReplacesNoFileOfOthers) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("levels.csv");
+  const std::string by_hand = "# of the microslip rig\namplitude [m],dissipation [J]\n1,2\n";
+  put(path, by_hand);
+  EXPECT_EQ(fault(path, kLevelsText),
+            path +
+                ": exists and was not written by microslip; it would be replaced. Move it away or "
+                "choose another name.");
+  EXPECT_THROW(check_output(path, kLevelsKind), FileError);
+  EXPECT_THROW(check_output(path), FileError);
+  EXPECT_NO_THROW(check_output(path, kLevelsKind, Replacing::kAny));
+  EXPECT_NO_THROW(write_file(path, by_hand)) << "the very same";
+  OutputFiles asked;
+  put(asked.stage(path, Replacing::kAny), kOtherLevels);
+  asked.commit();
+  EXPECT_EQ(get(path), kOtherLevels);
+}
+
+TEST(OutputFiles, ReplacesNotEvenItsOwnByAnotherContent) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("levels.csv");
+  put(path, kLevelsText);
+  OutputFiles same;
+  put(same.stage(path, Replacing::kSame), kLevelsText);
+  EXPECT_NO_THROW(same.commit());
+  OutputFiles other;
+  put(other.stage(path, Replacing::kSame), kOtherLevels);
+  EXPECT_EQ(message_of<FileError>([&] { return other.commit(), 0; }),
+            path +
+                ": exists and has another content; it would be replaced. Choose another name, or "
+                "add `replace`.");
+  EXPECT_EQ(get(path), kLevelsText);
 }
 
 TEST(OutputFiles, ReplacesAnEmptyFile) {

@@ -29,7 +29,8 @@ TEST(JointTables, TheAreaOfTheCycleIsTheDissipation) {
   constexpr std::size_t kPoints = 400;
   const std::vector<double> x = loading_and_cycle(3e-4, kPoints);
   ASSERT_EQ(x.size(), 3 * kPoints + 1);
-  const JointTable table = loop_of({uniform_joint(), {}, {}}, {x, {}}, NormalLoadLaw::kTotal, 10);
+  const JointTable table =
+      loop_of({uniform_joint(), {}, {}}, {x, {}}, NormalLoadLaw::kTotal, 10, "call");
   EXPECT_TRUE(table.warnings.empty());
   const std::vector<double> force = CsvTable(table.text, "loop").numbers("force", kForce);
   double area = 0.0;
@@ -40,7 +41,7 @@ TEST(JointTables, TheAreaOfTheCycleIsTheDissipation) {
 }
 
 TEST(JointTables, DissipationOfAUniformJoint) {
-  const JointTable table = dissipation_of({uniform_joint(), {}, {}}, {1e-4, 2e-4});
+  const JointTable table = dissipation_of({uniform_joint(), {}, {}}, {1e-4, 2e-4}, "call");
   const CsvTable read(table.text, "curve");
   const std::vector<double> d = read.numbers("dissipation", kEnergy);
   const std::vector<double> k = read.numbers("secant_stiffness", kStiffness);
@@ -77,7 +78,8 @@ void expect_edges(const CsvTable& table, const std::string& name, const Dimensio
 // D = 2k²A³/(3·40 N e) below macro-slip: ∝ 1/e. At 0.01 mm a fortieth of the stiffness slips, so
 // that the secant stiffness hardly moves, and with it the loss factor goes as D.
 TEST(JointTables, DrawsOfTheNormalLoadAreThoseOfTheClosedForm) {
-  const JointTable table = dissipation_of({uniform_joint(), {}, {}}, {1e-6, 1e-5}, loads(kDraws));
+  const JointTable table =
+      dissipation_of({uniform_joint(), {}, {}}, {1e-6, 1e-5}, "call", loads(kDraws));
   ASSERT_TRUE(table.taken);
   EXPECT_EQ(table.taken->failed(), 0U);
   const CsvTable read(table.text, "curve");
@@ -94,7 +96,7 @@ TEST(JointTables, DrawsOfTheNormalLoadAreThoseOfTheClosedForm) {
 TEST(JointTables, DrawsOfALoopAreThoseOfTheClosedForm) {
   const std::vector<double> x{0.0, 1e-4, 2e-4};
   const JointTable table =
-      loop_of({uniform_joint(), {}, {}}, {x, {}}, NormalLoadLaw::kTotal, 10, loads(kDraws));
+      loop_of({uniform_joint(), {}, {}}, {x, {}}, NormalLoadLaw::kTotal, 10, "call", loads(kDraws));
   const CsvTable read(table.text, "loop");
   const double elastic = 20.0;  // kx, N
   const auto softening = [&](const std::string& name) {
@@ -108,7 +110,8 @@ TEST(JointTables, DrawsOfALoopAreThoseOfTheClosedForm) {
 
 TEST(JointTables, DrawsAreTheSameOnAnyNumberOfThreads) {
   const auto text = [](Execution execution) {
-    return dissipation_of({uniform_joint(), {}, {}}, {1e-5, 1e-4}, loads(60, std::move(execution)))
+    return dissipation_of({uniform_joint(), {}, {}}, {1e-5, 1e-4}, "call",
+                          loads(60, std::move(execution)))
         .text;
   };
   EXPECT_EQ(text(Execution::serial()), text(Execution::threads(2)));

@@ -26,7 +26,7 @@ enum ExitStatus : int {
   kDone = 0,
   kFailed = 1,        ///< any other failure
   kInputAtFault = 2,  ///< the input or the call
-  kNotConverged = 3,  ///< a solver; the result so far is written and marked
+  kNotConverged = 3,  ///< a solver; what it found, if anything, is written and marked
 };
 
 struct ExitStatusText {
@@ -38,7 +38,8 @@ struct ExitStatusText {
 inline constexpr std::array<ExitStatusText, 4> kExitStatusTexts = {{
     {kDone, "done"},
     {kInputAtFault, "invalid input or call; one line names the place, the fault and the remedy"},
-    {kNotConverged, "a solver did not converge; its last result is written and marked"},
+    {kNotConverged,
+     "a solver did not converge; what it found is written and marked, if it found anything"},
     {kFailed, "anything else, for instance a file that cannot be written"},
 }};
 
@@ -60,7 +61,8 @@ inline constexpr const char* kResultValue = "RESULT";  ///< a folder, or a file 
 struct Call {
   std::string command_line;  ///< as typed, quoted where a shell would need it
   bool quiet = false;
-  std::function<int()> run;  ///< set by the subcommand that was chosen; gives the exit status
+  bool prints_result = false;  ///< what is printed is no summary of files that stay
+  std::function<int()> run;    ///< set by the subcommand that was chosen; gives the exit status
   /// Makes the team that does the blocks of an ensemble. @param threads  maximum number; 0:
   /// default.
   std::function<std::unique_ptr<Team>(std::size_t threads)> make_team = make_local_team;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/documents/response/response_file.hpp"
 #include "microslip/io/bytes/input_file.hpp"
@@ -87,11 +88,12 @@ int tell_ending(const Summary& ended, bool found, const ModelArguments& argument
                 const std::function<std::string()>& summary) {
   const bool converged = ended.converged();
   if (found && !call.quiet) {
-    fmt::print(arguments.out == "-" ? stderr : stdout, "{}", with_option_names(summary()));
+    print_text(arguments.out == "-" ? stderr : stdout, with_option_names(summary()));
   } else if (!converged) {
-    fmt::print(stderr, "microslip: {}: not converged: {}; {}\n", input_name(arguments.model),
-               ended.reason,
-               found ? "the result so far is written and marked" : "nothing is written");
+    print_text(stderr, fmt::format("microslip: {}: not converged: {}; {}\n",
+                                   input_name(arguments.model), ended.reason,
+                                   found ? "the result so far is written and marked"
+                                         : "nothing is written"));
   }
   return converged ? kDone : kNotConverged;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
@@ -41,9 +42,8 @@ std::optional<double> frequency_guess(const std::string& text) {
 
 void show_warnings(const std::vector<Warning>& warnings) {
   for (const Warning& warning : warnings) {
-    const std::string text =
-        fmt::format("microslip: warning: {}\n", with_option_names(warning.text));
-    std::fwrite(text.data(), 1, text.size(), stderr);
+    print_text(stderr,
+               fmt::format("microslip: warning: {}\n", printable(with_option_names(warning.text))));
   }
 }
 

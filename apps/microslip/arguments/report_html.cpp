@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
 #include "microslip/report/page/html_report.hpp"
@@ -44,7 +45,7 @@ std::string report_html(ExperimentResults results, const Call& call, bool pictur
       results.warnings.push_back({"pictures_missing", text});
       std::string html =
           html_report(experiment_report(results), {.picture = {}});  // may fail as before
-      if (!call.quiet) fmt::print(stderr, "microslip: warning: {}\n", text);
+      if (!call.quiet) print_text(stderr, fmt::format("microslip: warning: {}\n", text));
       return html;
     }
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "demo/demo_beam.hpp"
 #include "demo/demo_folder.hpp"
 #include "demo/demo_rig.hpp"
@@ -54,23 +55,27 @@ int run(const DemoOptions& options, const Call& call) {
   const RigDemonstration rig = demonstrate_rig(folder);
   const std::vector<std::string> pictures = folder.commit();
   if (!call.quiet) {
-    fmt::print("{}{}\n", kBeamHeading,
-               describe_identification(beam, beam.inversion()->fitted_dissipation.size()));
-    fmt::print(kRigHeading, rig.test.levels.size());
-    fmt::print("{}\n{}\n",
-               describe_identification(rig.found, rig.found.inversion()->fitted_dissipation.size()),
-               describe_rig(rig));
-    fmt::print(
-        "Written to {}: recordings, levels, truth, verification and densities (csv), joints "
-        "(json), "
-        "the\nrig (toml), pictures (svg, png):\n",
-        options.out);
-    for (const std::string& name : pictures) fmt::print("  {}.svg\n", name);
+    print_text(stdout, fmt::format("{}{}\n", kBeamHeading,
+                                   describe_identification(
+                                       beam, beam.inversion()->fitted_dissipation.size())));
+    print_text(stdout, fmt::format(kRigHeading, rig.test.levels.size()));
+    print_text(stdout, fmt::format("{}\n{}\n",
+                                   describe_identification(
+                                       rig.found, rig.found.inversion()->fitted_dissipation.size()),
+                                   describe_rig(rig)));
+    print_text(
+        stdout,
+        fmt::format(
+            "Written to {}: recordings, levels, truth, verification and densities (csv), joints "
+            "(json), "
+            "the\nrig (toml), pictures (svg, png):\n",
+            options.out));
+    for (const std::string& name : pictures) print_text(stdout, fmt::format("  {}.svg\n", name));
     // The rig comes last, and first for the reader.
     std::vector<std::string> reports = folder.report_paths();
     std::ranges::reverse(reports);
-    fmt::print("\nReports, each one file to open in a browser:\n");
-    for (const std::string& path : reports) fmt::print("  {}\n", path);
+    print_text(stdout, "\nReports, each one file to open in a browser:\n");
+    for (const std::string& path : reports) print_text(stdout, fmt::format("  {}\n", path));
   }
   return beam.summary.converged() && rig.converged() ? kDone : kNotConverged;
 }

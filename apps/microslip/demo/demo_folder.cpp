@@ -35,7 +35,7 @@ void DemoFolder::add_identification(const std::string& folder, const Identificat
                                     const std::string& input_name, std::string_view input) {
   add(folder + "/joint.json",
       joint_text(found, options, {input_name, std::string(input)}, call_.command_line));
-  add(folder + "/density.csv", density_csv(found));
+  add(folder + "/density.csv", density_csv(found, call_.command_line));
 }
 
 std::string DemoFolder::provenance(const std::string& folder,

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "microslip/base/error.hpp"
@@ -34,6 +35,7 @@ struct ConvertOptions {
   std::vector<std::string> channels;
   RecordingArguments reading;
   bool list = false;
+  bool replace = false;
 };
 
 RecordingFormat format_of(const ConvertOptions& options) {
@@ -63,8 +65,9 @@ void check_count(const ConvertOptions& options, RecordingFormat format, std::siz
 void print_summary(const ConvertOptions& options, const std::vector<Recording>& recordings) {
   std::size_t channels = 0;
   for (const Recording& recording : recordings) channels += recording.channels.size();
-  fmt::print("{}: {}, {}\n", options.out, counted(recordings.size(), "recording"),
-             counted(channels, "channel"));
+  print_text(stdout,
+             fmt::format("{}: {}, {}\n", options.out, counted(recordings.size(), "recording"),
+                         counted(channels, "channel")));
 }
 
 /// A choice leaves mode shapes out.
@@ -81,20 +84,21 @@ int list(const ConvertOptions& options, bool quiet) {
   if (!quiet) show_warnings(found.warnings);
   choose_recording(options, found.recordings);
   choose_channels(options.channels, found.recordings);
-  fmt::print("{}{}", list_recordings(found), list_mode_shapes(mode_shapes));
+  print_text(stdout, fmt::format("{}{}", list_recordings(found), list_mode_shapes(mode_shapes)));
   return kDone;
 }
 
 int convert(const ConvertOptions& options, bool quiet) {
   const RecordingFormat format = format_of(options);
-  check_output(options.out, recording_kind(format));
+  const Replacing replacing = options.replace ? Replacing::kAny : Replacing::kSame;
+  check_output(options.out, recording_kind(format), replacing);
   Recordings found = read(options, quiet);
   choose_recording(options, found.recordings);
   check_count(options, format, found.recordings.size());
   choose_channels(options.channels, found.recordings);
   add_warning_attributes(found.warnings, found.recordings);
   OutputFiles files;
-  write_recordings(files, options.out, found.recordings, format);
+  write_recordings(files, options.out, found.recordings, format, replacing);
   files.commit();
   if (quiet) return kDone;
   show_warnings(found.warnings);
@@ -124,6 +128,10 @@ void add_options(CLI::App& command, ConvertOptions& options) {
                      "Number of the recording to take, from 1, where the file has several");
   command.add_option("--channel", options.channels, "Channel to take; may be repeated")
       ->allow_extra_args(false);
+  command.add_flag(
+      "--replace", options.replace,
+      "Replace an existing recording of this format; without it one of another content "
+      "is left as it is");
   add_recording_arguments(command, options.reading);
 }
 
@@ -143,6 +151,7 @@ void add_convert(CLI::App& program, Call& call) {
   command->callback([options, &call] {
     if (options->out.empty() && !options->list) throw CLI::RequiredError("out or --list");
     if (!options->out.empty() && options->list) throw CLI::ExcludesError("--list", "out");
+    call.prints_result = options->list;
     call.run = [options, &call] {
       return options->list ? list(*options, call.quiet) : convert(*options, call.quiet);
     };

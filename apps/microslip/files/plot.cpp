@@ -9,6 +9,7 @@
 #include "arguments/command.hpp"
 #include "arguments/picture_argument.hpp"
 #include "arguments/plot_arguments.hpp"
+#include "arguments/printed_text.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/output/output_files.hpp"
@@ -43,11 +44,14 @@ int run(const PlotArguments& options, const Call& call) {
                  {.width_mm = options.width_mm, .grey = options.grey});
   write_file(out, picture.bytes);
   if (!call.quiet && out != "-") {
-    fmt::print("{}: {}, {:.0f} mm wide, {:.0f} mm high\n", out, figure.name, picture.width_mm,
-               picture.height_mm);
+    print_text(stdout, fmt::format("{}: {}, {:.0f} mm wide, {:.0f} mm high\n", out, figure.name,
+                                   picture.width_mm, picture.height_mm));
     if (input.left_out > 0) {
-      fmt::print("{} further channels are not drawn: a figure shows at most eight of a quantity\n",
-                 input.left_out);
+      print_text(
+          stdout,
+          fmt::format(
+              "{} further channels are not drawn: a figure shows at most eight of a quantity\n",
+              input.left_out));
     }
   }
   return kDone;

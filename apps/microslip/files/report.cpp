@@ -12,6 +12,7 @@
 
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/report_html.hpp"
 #include "microslip/base/error.hpp"
@@ -58,17 +59,18 @@ int run(const ReportOptions& options, const Call& call) {
   }
   if (!call.quiet) {
     for (const Warning& warning : results.warnings) {
-      fmt::print(stderr, "microslip: warning: {}\n", with_option_names(warning.text));
+      print_text(stderr, fmt::format("microslip: warning: {}\n", with_option_names(warning.text)));
     }
   }
   if (!options.title.empty()) results.title = options.title;
   const std::string html = report_html(std::move(results), call, !options.no_pictures);
   write_file(options.out, html);
   if (!call.quiet && options.out != "-") {
-    fmt::print("{}: {:.1f} MB, one file; open it in a browser.\n", options.out,
-               static_cast<double>(html.size()) * 1e-6);
+    print_text(stdout, fmt::format("{}: {:.1f} MB, one file; open it in a browser.\n", options.out,
+                                   static_cast<double>(html.size()) * 1e-6));
     if (html.size() > kLarge) {
-      fmt::print("That is large for mail and slow to open: fewer --records make it smaller.\n");
+      print_text(stdout,
+                 "That is large for mail and slow to open: fewer --records make it smaller.\n");
     }
   }
   return kDone;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "microslip/io/output/output_files.hpp"
 #include "microslip/io/output/output_folders.hpp"
@@ -77,7 +78,7 @@ int run(const CalibrateArguments& arguments, const Call& call) {
   OutputFiles outputs;
   for (const ResultFile& file : done.files) outputs.add(file.path, file.content);
   outputs.commit();
-  if (!call.quiet) fmt::print("{}", describe_calibration(calibration, done));
+  if (!call.quiet) print_text(stdout, describe_calibration(calibration, done));
   return done.found.summary.converged() ? kDone : kNotConverged;
 }
 

@@ -12,6 +12,7 @@
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
 #include "arguments/picture_argument.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
@@ -70,7 +71,7 @@ int run(CampaignArguments arguments, const Call& call) {
   check_campaign_outputs(arguments, planned);
   const DoneCampaign done = run_campaign(arguments.run, opened);
   write_campaign(arguments, done);
-  if (!call.quiet) fmt::print("{}", with_option_names(describe_campaign(done)));
+  if (!call.quiet) print_text(stdout, with_option_names(describe_campaign(done)));
   return done.converged() ? kDone : kNotConverged;
 }
 

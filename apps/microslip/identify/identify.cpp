@@ -11,6 +11,7 @@
 #include "arguments/command.hpp"
 #include "arguments/identify_arguments.hpp"
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/output_files.hpp"
@@ -27,11 +28,13 @@ int finish(const IdentifyArguments& arguments, const Call& call, const Identific
   OutputFiles outputs;
   outputs.add(arguments.out, joint);
   if (!samples.empty()) outputs.add(arguments.samples_out, samples);
-  if (!arguments.density_csv.empty()) outputs.add(arguments.density_csv, density_csv(found));
+  if (!arguments.density_csv.empty()) {
+    outputs.add(arguments.density_csv, density_csv(found, call.command_line));
+  }
   outputs.commit();
   if (!call.quiet) {
     const bool data_on_stdout = arguments.out == "-" || arguments.density_csv == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}", with_option_names(summary));
+    print_text(data_on_stdout ? stderr : stdout, with_option_names(summary));
   }
   return found.summary.converged() ? kDone : kNotConverged;
 }
@@ -49,7 +52,7 @@ int run_assemblies(const IdentifyArguments& arguments, const Call& call) {
   OutputFiles outputs;
   for (const ResultFile& file : done.files) outputs.add(file.path, file.content);
   outputs.commit();
-  if (!call.quiet) fmt::print("{}", with_option_names(describe_assemblies(options, done)));
+  if (!call.quiet) print_text(stdout, with_option_names(describe_assemblies(options, done)));
   return done.found.summary.converged() ? kDone : kNotConverged;
 }
 

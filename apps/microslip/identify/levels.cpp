@@ -10,6 +10,7 @@
 
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
@@ -32,7 +33,7 @@ int run(const LevelsArguments& arguments, const Call& call) {
   const RecordLevels found = find_record_levels(options);
   write_file(arguments.out, levels_text(found, call.command_line));
   if (!call.quiet) {
-    fmt::print(arguments.out == "-" ? stderr : stdout, "{}",
+    print_text(arguments.out == "-" ? stderr : stdout,
                with_option_names(describe_record_levels(found)));
   }
   return kDone;

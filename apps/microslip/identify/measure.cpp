@@ -9,6 +9,7 @@
 #include <string>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "microslip/workflow/measure/measurement_run.hpp"
@@ -29,10 +30,10 @@ int run(MeasureOptions options, const Call& call) {
   const FinishedMeasurement done = run_measurement(options);
   if (!call.quiet) {
     show_warnings(done.warnings);
-    fmt::print("{}", describe_measurement(options, done));
+    print_text(stdout, describe_measurement(options, done));
   }
   if (done.test.summary.converged()) return kDone;
-  fmt::print(stderr, "microslip: {}\n", done.test.summary.reason);
+  print_text(stderr, fmt::format("microslip: {}\n", done.test.summary.reason));
   return kNotConverged;
 }
 

@@ -14,6 +14,7 @@
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
 #include "arguments/prediction.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "arguments/stiffness_argument.hpp"
@@ -106,7 +107,7 @@ int run(const PlanOptions& options, const Call& call) {
   write_file(options.out, plan_text(plan, planning, call.command_line));
   if (call.quiet) return kDone;
   show_warnings(plan.warnings);
-  fmt::print(options.out == "-" ? stderr : stdout, "{}",
+  print_text(options.out == "-" ? stderr : stdout,
              with_option_names(describe_plan(plan, planning)));
   return kDone;
 }

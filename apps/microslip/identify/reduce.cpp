@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "microslip/base/error.hpp"
@@ -65,7 +66,7 @@ int run_of_model(const ReduceOptions& options, const Call& call) {
   if (!call.quiet) std::ranges::for_each(reduced.warnings, show_warnings);
   write_file(options.out, modal_levels_text(reduced, call.command_line));
   if (!call.quiet) {
-    fmt::print(options.out == "-" ? stderr : stdout, "{}", describe_modal_levels(reduced));
+    print_text(options.out == "-" ? stderr : stdout, describe_modal_levels(reduced));
   }
   return kDone;
 }
@@ -86,7 +87,7 @@ int run(ReduceOptions options, const Call& call) {
   if (!call.quiet) std::ranges::for_each(reduced.warnings, show_warnings);
   write_file(options.out, levels_text(reduced, call.command_line));
   if (!call.quiet) {
-    fmt::print(options.out == "-" ? stderr : stdout, "{}",
+    print_text(options.out == "-" ? stderr : stdout,
                describe_reduction(reduced.reducer, reduced.batch));
   }
   return kDone;

@@ -9,6 +9,7 @@
 
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/ringdown_arguments.hpp"
 #include "microslip/base/error.hpp"
@@ -27,7 +28,7 @@ int run_of_modes(const RingdownArguments& arguments, const Call& call) {
   const ReducedModalDecay reduced = reduce_modal_decay(options);
   write_file(arguments.out, modal_levels_text(reduced, call.command_line));
   if (!call.quiet) {
-    fmt::print(arguments.out == "-" ? stderr : stdout, "{}",
+    print_text(arguments.out == "-" ? stderr : stdout,
                with_option_names(describe_modal_decay(reduced)));
   }
   return reduced.converged() ? kDone : kNotConverged;
@@ -45,8 +46,7 @@ int run(const RingdownArguments& arguments, const Call& call) {
   }
   write_file(arguments.out, levels_text(reduced, call.command_line));
   if (!call.quiet) {
-    fmt::print(arguments.out == "-" ? stderr : stdout, "{}",
-               with_option_names(describe_decay(reduced)));
+    print_text(arguments.out == "-" ? stderr : stdout, with_option_names(describe_decay(reduced)));
   }
   return reduced.decay.summary.converged() ? kDone : kNotConverged;
 }

@@ -16,6 +16,7 @@
 #include "arguments/command.hpp"
 #include "arguments/draw_arguments.hpp"
 #include "arguments/picture_argument.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "identify/verify_tests.hpp"
@@ -134,7 +135,7 @@ int run_of_rig(VerifyOptions options, const Call& call) {
   if (!call.quiet) {
     const bool data_on_stdout = options.tables.table == "-" || options.tables.harmonics == "-" ||
                                 options.tables.histories == "-";
-    fmt::print(data_on_stdout ? stderr : stdout, "{}",
+    print_text(data_on_stdout ? stderr : stdout,
                describe_verification(verified.verifier, batch) +
                    (verified.spread ? describe_checked(*verified.spread) : ""));
   }

@@ -9,6 +9,7 @@
 
 #include "arguments/option_names.hpp"
 #include "arguments/picture_argument.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
@@ -95,8 +96,7 @@ int run_of_tests(const TestsCall& options, const Call& call) {
       verify_tests(verification_of(options, call.quiet), call.command_line);
   write_tests(options, verified);
   if (!call.quiet) {
-    fmt::print(options.out == "-" ? stderr : stdout, "{}",
-               with_option_names(describe_tests(verified)));
+    print_text(options.out == "-" ? stderr : stdout, with_option_names(describe_tests(verified)));
   }
   return verified.converged() ? kDone : kNotConverged;
 }

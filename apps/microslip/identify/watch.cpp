@@ -15,9 +15,11 @@
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
 #include "arguments/prediction.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/report_html.hpp"
 #include "arguments/stiffness_argument.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/io/output/output_files.hpp"
 #include "microslip/workflow/measure/watched_test.hpp"
 #include "microslip/workflow/results/experiment_folder.hpp"
@@ -88,10 +90,7 @@ milliseconds interval_of(const std::string& text) {
 }
 
 void say(std::FILE* stream, const std::string& text) {
-  std::string line = with_option_names(text);
-  std::ranges::replace_if(
-      line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, '?');
-  fmt::print(stream, "{}\n", line);
+  print_text(stream, printable(with_option_names(text)) + "\n");
   std::fflush(stream);
 }
 
@@ -128,23 +127,29 @@ WatchedTestOptions options_of(const WatchArguments& arguments, const Call& call)
 }
 
 /// A folder may hold what no report can show: that is no reason to stop.
-void write_watch_report(const WatchArguments& arguments, const WatchedTest& test,
-                        const Call& call) {
+/// @return whether it was made, but could not be written.
+bool lacks_report(const WatchArguments& arguments, const WatchedTest& test, const Call& call) {
+  bool is_made = false;
   try {
     ExperimentResults results =
         read_experiment(arguments.folder, kRecordsOverTime,
                         [](std::size_t, std::size_t) { return !StopOnSignal::asked(); });
-    write_file(test.report_path(), report_html(std::move(results), call, false));
+    const std::string html = report_html(std::move(results), call, false);
+    is_made = true;
+    write_file(test.report_path(), html);
   } catch (const Cancelled&) {
     throw;
   } catch (const Error& error) {
     say(stderr,
         fmt::format("microslip: warning: {} is not written: {}", test.report_path(), error.what()));
+    return is_made;
   }
+  return false;
 }
 
 /// Until it is asked to stop, or, once, until all that is there is whole and done.
-void watch(const WatchArguments& arguments, const Call& call) {
+/// @return the exit status: while it goes on, a file that could not be written may be so next time.
+ExitStatus watch(const WatchArguments& arguments, const Call& call) {
   const milliseconds interval = interval_of(arguments.interval);
   WatchedTest test(options_of(arguments, call));
   FolderWatch folder(arguments.folder, interval,
@@ -156,18 +161,19 @@ void watch(const WatchArguments& arguments, const Call& call) {
       say(stdout, fmt::format("{}: no record yet", arguments.folder));
     }
     announced = true;
-    if (change.any() && test.evaluate(change) && !arguments.no_report) {
-      write_watch_report(arguments, test, call);
-    }
-    if (arguments.once && !change.waiting) return;
+    const bool done = change.any() && test.evaluate(change);
+    bool lacks_a_file = test.lacks_a_file();
+    if (done && !arguments.no_report && lacks_report(arguments, test, call)) lacks_a_file = true;
+    if (arguments.once && !change.waiting) return lacks_a_file ? kFailed : kDone;
     rest(interval);
   }
+  return std::ferror(stdout) == 0 ? kDone : kFailed;
 }
 
 int run(const WatchArguments& arguments, const Call& call) {
   const StopOnSignal stop;
   try {
-    watch(arguments, call);
+    return watch(arguments, call);
   } catch (const Cancelled&) {
     if (!StopOnSignal::asked()) throw;
   }

@@ -9,6 +9,7 @@
 
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/ensemble/ensemble_run.hpp"
@@ -64,8 +65,8 @@ int run(const EnsembleArguments& arguments, const Call& call) {
   const std::unique_ptr<Team> team = call.make_team(threads);
   const std::optional<FinishedEnsemble> done = run_ensemble(run, *team);
   if (done && !call.quiet) {
-    fmt::print(
-        "{}", with_option_names(describe_ensemble(run, *done)) + describe_warnings(done->warnings));
+    print_text(stdout, with_option_names(describe_ensemble(run, *done)) +
+                           describe_warnings(done->warnings));
   }
   return kDone;
 }

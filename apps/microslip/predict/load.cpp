@@ -13,6 +13,7 @@
 
 #include "arguments/command.hpp"
 #include "arguments/prediction.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/documents/response/load_file.hpp"
@@ -176,12 +177,14 @@ int run(const LoadOptions& options, const Call& call) {
   if (!comment.empty()) heading += '\n' + comment;
   write_file(options.out, format_loads(load.history, model.structure, heading));
   if (!call.quiet) {
-    fmt::print(options.out == "-" ? stderr : stdout, "A {} on {}\n{}", to_string(shape),
-               options.model, describe_load(model.structure, load));
+    print_text(options.out == "-" ? stderr : stdout,
+               fmt::format("A {} on {}\n{}", to_string(shape), options.model,
+                           describe_load(model.structure, load)));
   } else if (!load.converged()) {
-    fmt::print(stderr,
-               "microslip: {}: not converged: {}; the result so far is written and marked\n",
-               input_name(options.model), load.shock->summary.reason);
+    print_text(
+        stderr,
+        fmt::format("microslip: {}: not converged: {}; the result so far is written and marked\n",
+                    input_name(options.model), load.shock->summary.reason));
   }
   return load.converged() ? kDone : kNotConverged;
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/output_files.hpp"
@@ -31,7 +32,7 @@ int run(const ModelOptions& options, const Call& call) {
   if (call.quiet) return kDone;
   show_warnings(model.warnings);
   const bool on_stdout = options.out == "-";
-  fmt::print(on_stdout ? stderr : stdout, "{}",
+  print_text(on_stdout ? stderr : stdout,
              describe_model(on_stdout ? "standard output" : options.out, model.file.structure) +
                  describe_damping(model.file));
   return kDone;

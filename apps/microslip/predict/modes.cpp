@@ -7,6 +7,7 @@
 #include <string>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
@@ -29,7 +30,7 @@ int run(const ModesArguments& options, const Call& call) {
   const ExitStatus status = model.modes.summary.converged() ? kDone : kNotConverged;
   if (call.quiet) return status;
   show_warnings(model.modes.warnings);
-  fmt::print(options.out == "-" ? stderr : stdout, "{}",
+  print_text(options.out == "-" ? stderr : stdout,
              describe_structure_model(options.structure, model));
   return status;
 }

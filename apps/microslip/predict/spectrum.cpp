@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
@@ -34,7 +35,7 @@ int run(const SpectrumOptions& options, const Call& call) {
   check_output(options.out, kSpectrumKind);
   const std::vector<double> frequency = parse_range("--frequency", options.frequency, kFrequency);
   const double damping = parse_quantity("--damping-ratio", options.damping_ratio, kDimensionless);
-  const CsvTable table(read_file(options.table), input_name(options.table));
+  const CsvTable table(read_text(options.table), input_name(options.table));
   const std::vector<double> time = table.numbers("time", kTime);
   const std::vector<double> acceleration = table.numbers(options.column, kAcceleration);
   const ResponseSpectrum spectrum = response_spectrum(time, acceleration, frequency, damping);
@@ -51,10 +52,12 @@ int run(const SpectrumOptions& options, const Call& call) {
   if (call.quiet) return kDone;
   const std::vector<double> maximax = spectrum.maximax();
   const auto most = std::ranges::max_element(maximax);
-  fmt::print(options.out == "-" ? stderr : stdout,
-             "Shock response spectrum of '{}'\n  largest              {:.5g} m/s^2 at {:.5g} Hz\n",
-             options.column, *most,
-             spectrum.frequency[static_cast<std::size_t>(most - maximax.begin())]);
+  print_text(
+      options.out == "-" ? stderr : stdout,
+      fmt::format(
+          "Shock response spectrum of '{}'\n  largest              {:.5g} m/s^2 at {:.5g} Hz\n",
+          options.column, *most,
+          spectrum.frequency[static_cast<std::size_t>(most - maximax.begin())]));
   return kDone;
 }
 

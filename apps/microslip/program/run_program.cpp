@@ -22,9 +22,12 @@
 
 #include "arguments/command.hpp"
 #include "arguments/option_names.hpp"
+#include "arguments/printed_text.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/bytes/closest_name.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/output/postponed_signals.hpp"
 #include "microslip/io/output/temporaries.hpp"
 #include "microslip/io/output/write_error.hpp"
 #include "microslip/workflow/text/nothing_found.hpp"
@@ -37,6 +40,7 @@ constexpr std::string_view kStandardOutput = "standard output";
 // Nothing half-written stays behind: files in the making go, then the signal does what it would
 // have done.
 extern "C" void remove_temporaries_and_die(int signal) {
+  if (postpone_signal(signal)) return;
   remove_temporaries();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -66,12 +70,7 @@ std::string command_line(int argc, char** argv) {
 
 /// One line, whatever a name or a cell holds. Nobody may listen: that is no error.
 int complain(int status, std::string_view message) {
-  std::string line = fmt::format("microslip: {}", with_option_names(message));
-  for (char& c : line) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
-  line += '\n';
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  print_text(stderr, fmt::format("microslip: {}\n", printable(with_option_names(message))));
   return status;
 }
 
@@ -156,12 +155,21 @@ void write_at_the_end() {
   if (::isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, text.data(), _IOFBF, text.size());
 }
 
-/// The status, unless what was printed got lost.
-int finished_output(int status) {
+/// @throws WriteError  where what was printed got lost.
+void finish_printed() {
   const bool whole = std::ferror(stdout) == 0;
   if (std::fflush(stdout) != 0) fail_to_write(kStandardOutput, errno);
   if (!whole) fail_to_write(kStandardOutput, EIO);
   close_copy(STDOUT_FILENO, kStandardOutput);
+}
+
+/// The status, which a summary that got lost does not change: the files that it tells of are whole.
+int finished_with_summary(int status) {
+  try {
+    finish_printed();
+  } catch (const WriteError& error) {
+    complain(status, fmt::format("warning: the summary is lost: {}", error.what()));
+  }
   return status;
 }
 
@@ -179,7 +187,9 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    return finished_output(program.exit(success));  // --help, --version
+    const int status = program.exit(success);  // --help, --version
+    finish_printed();
+    return status;
   } catch (const CLI::ParseError& error) {
     const auto chosen = program.get_subcommands();
     const std::string help =
@@ -188,7 +198,10 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
     return complain(kInputAtFault, fmt::format("{}{} Run `{}` for the options and examples.", fault,
                                                fault.ends_with('?') ? "" : ".", help));
   }
-  return finished_output(call.run());
+  const int status = call.run();
+  if (!call.prints_result) return finished_with_summary(status);
+  finish_printed();
+  return status;
 }
 
 }  // namespace
@@ -196,7 +209,10 @@ int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
 int run_program(int argc, char** argv, Call& call, std::unique_ptr<CLI::App> (*make)(Call& call)) {
   occupy_closed_streams();
   write_at_the_end();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) remove_temporaries_on(signal);
+  // Those of a terminal, and those by which batch systems tell that the time is over.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM}) {
+    remove_temporaries_on(signal);
+  }
   // A closed pipe and a limit of the file size are errors of writing, as a full
   // disk.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
@@ -217,7 +233,9 @@ int run_program(int argc, char** argv, Call& call, std::unique_ptr<CLI::App> (*m
   } catch (const StoppedElsewhere&) {
     return kDone;  // another process tells why
   } catch (const std::bad_alloc&) {
-    return complain(kFailed, "out of memory");
+    return complain(kFailed,
+                    "out of memory: the call needs more than this machine, or the limit of ulimit "
+                    "-v, allows. Give a part of the file, fewer points, draws or --threads.");
   } catch (const std::system_error& error) {  // of a table on standard output, as a rule
     const bool lost = std::ferror(stdout) != 0;
     return complain(kFailed, lost ? fmt::format("{}: cannot be written: {}", kStandardOutput,

@@ -122,6 +122,16 @@ const std::string& text_of(const microslip_joint& joint) {
   return joint.text;
 }
 
+/// With the version of the library where the joint has no provenance of its own: a file without one
+/// was not written here, and would not be replaced.
+std::string text_to_write(const microslip_joint& joint) {
+  if (joint.file->provenance) return text_of(joint);
+  JointFile file = *joint.file;
+  file.provenance.emplace().version = kVersion;
+  file.provenance->command = "microslip_joint_write";
+  return format_joint(file);
+}
+
 /// Checked before the first value is written, so that the arrays may be one.
 template <typename Function>
 void each_value(const microslip_joint* joint, std::size_t count, const double* from,
@@ -173,7 +183,7 @@ microslip_status microslip_joint_parse(const char* text, microslip_joint** joint
 microslip_status microslip_joint_write(const microslip_joint* joint, const char* path) {
   return c::done([&] {
     c::require_pointer(path, "path");
-    microslip::write_file(path, c::text_of(c::at(joint, "joint")));
+    microslip::write_file(path, c::text_to_write(c::at(joint, "joint")));
   });
 }
 

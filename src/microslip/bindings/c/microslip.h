@@ -135,11 +135,13 @@ MICROSLIP_API microslip_status microslip_joint_read(const char *path, microslip_
 MICROSLIP_API microslip_status microslip_joint_parse(const char *text, microslip_joint **joint);
 
 /** Writes a joint.json, as the program does: with provenance and identification where the joint was
- * read or identified. The file appears whole or not at all, and replaces another.
+ * read or identified, else with the version of the library alone. The file appears whole or not at
+ * all, and replaces only a joint.json that microslip wrote.
  * @param joint  to write. @param path  of the file. */
 MICROSLIP_API microslip_status microslip_joint_write(const microslip_joint *joint, const char *path);
 
-/** The text that microslip_joint_write() writes. @param joint  any. @param text  of the joint. */
+/** The text that microslip_joint_write() writes, without a provenance where the joint has none.
+ * @param joint  any. @param text  of the joint. */
 MICROSLIP_API microslip_status microslip_joint_text(const microslip_joint *joint, const char **text);
 
 /** Destroys a joint. @param joint  may be NULL. */

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +17,7 @@
 #include "microslip/documents/joint/joint_samples_file.hpp"
 #include "microslip/documents/levels/levels_file.hpp"
 #include "microslip/identify/methods/identification.hpp"
+#include "microslip/io/output/provenance.hpp"
 #include "microslip/observe/level_evidence.hpp"
 #include "microslip/workflow/identify/levels_identification.hpp"
 #include "microslip/workflow/identify/smoothing_text.hpp"
@@ -246,7 +249,10 @@ void add_identification(py::module_& core) {
             parse_levels(text, "levels", {.linear_dissipation = LinearLossColumn::kUsed}))
             .levels);
   });
-  core.def("levels_csv", [](const py::dict& columns) { return csv_of(levels_of(columns)); });
+  core.def("levels_csv", [](const py::dict& columns) {
+    return fmt::format("# {}\n{}", heading_of("microslip.Levels.write"),
+                       csv_of(levels_of(columns)));
+  });
 }
 
 }  // namespace microslip::python

@@ -41,14 +41,14 @@ py::tuple read(const std::string& path, const std::vector<std::string>& assumed,
 }
 
 void write(const std::string& path, const py::list& recordings,
-           const std::optional<std::string>& format) {
+           const std::optional<std::string>& format, bool replace) {
   const std::vector<Recording> all = recordings_of(recordings);
   const RecordingFormat as =
       format ? find_recording_format(*format).value() : recording_format_of_name(path);
   do_long_work(
       [&](const Progress&) {
         OutputFiles files;
-        write_recordings(files, path, all, as);
+        write_recordings(files, path, all, as, replace ? Replacing::kAny : Replacing::kSame);
         files.commit();
       },
       py::none());

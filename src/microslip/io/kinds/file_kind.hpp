@@ -16,7 +16,7 @@ inline constexpr std::string_view kEnsemblePlanKind = "microslip.ensemble/1";
 inline constexpr std::string_view kEnsembleKind = "microslip.ensemble_result/1";
 /// of JournalWriter
 inline constexpr std::string_view kJournalKind = "microslip.journal/1";
-/// of ensemble_table() and sweep_table()
+/// of add_ensemble_table()
 inline constexpr std::string_view kEnsembleTableKind = "a table of an ensemble";
 inline constexpr std::string_view kRigKind = "microslip.rig/1";  ///< rig.toml
 /// campaign.toml

@@ -117,7 +117,8 @@ Recordings read_format(InputStream& file, const PartOfFile& part,
   return read_by_path(part, format, options);
 }
 
-void write_csv(OutputFiles& files, const std::string& path, std::span<const Recording> recordings) {
+void write_csv(OutputFiles& files, const std::string& path, std::span<const Recording> recordings,
+               Replacing replacing) {
   if (recordings.size() != 1) {
     throw InputError(path, fmt::format("{} recordings", recordings.size()),
                      "must be one in a CSV file",
@@ -126,23 +127,24 @@ void write_csv(OutputFiles& files, const std::string& path, std::span<const Reco
   if (path == "-") {
     files.add(path, format_recording_csv(recordings.front()));
   } else {
-    write_recording_csv(files.stage(path), recordings.front());
+    write_recording_csv(files.stage(path, replacing), recordings.front());
   }
 }
 
 void write_format(OutputFiles& files, const std::string& path,
-                  std::span<const Recording> recordings, RecordingFormat format) {
+                  std::span<const Recording> recordings, RecordingFormat format,
+                  Replacing replacing) {
   switch (format) {
     case RecordingFormat::kCsv:
-      return write_csv(files, path, recordings);
+      return write_csv(files, path, recordings, replacing);
     case RecordingFormat::kUff:
     case RecordingFormat::kUffBinary:
-      return write_recordings_uff(files.stage(path), recordings,
+      return write_recordings_uff(files.stage(path, replacing), recordings,
                                   format == RecordingFormat::kUffBinary);
     case RecordingFormat::kMat:
-      return write_recordings_mat(files.stage(path), recordings);
+      return write_recordings_mat(files.stage(path, replacing), recordings);
     case RecordingFormat::kHdf5:
-      return write_recordings_hdf5(files.stage(path), recordings);
+      return write_recordings_hdf5(files.stage(path, replacing), recordings);
   }
 }
 
@@ -229,9 +231,10 @@ void finish_units(const AssumedUnits& units, Recordings& recordings) {
 }
 
 void write_recordings(OutputFiles& files, const std::string& path,
-                      std::span<const Recording> recordings, RecordingFormat format) {
+                      std::span<const Recording> recordings, RecordingFormat format,
+                      Replacing replacing) {
   try {
-    write_format(files, path, recordings, format);
+    write_format(files, path, recordings, format, replacing);
   } catch (const WriteError& error) {
     throw error.renamed(path);  // its own is that of a temporary file
   }

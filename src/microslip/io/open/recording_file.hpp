@@ -68,8 +68,10 @@ void finish_units(const AssumedUnits& units, Recordings& recordings);
 /// @param format      whatever the name of the file is.
 /// @throws InputError  where CSV is to hold another number of recordings than one, or a recording
 ///                     cannot be written in the format.
+/// @param replacing   which file of this name may be replaced.
 /// @throws FileError   as OutputFiles::add().
 void write_recordings(OutputFiles& files, const std::string& path,
-                      std::span<const Recording> recordings, RecordingFormat format);
+                      std::span<const Recording> recordings, RecordingFormat format,
+                      Replacing replacing = Replacing::kOwn);
 
 }  // namespace microslip

@@ -26,7 +26,9 @@
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/sha256.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/kinds/own_file.hpp"
 #include "microslip/io/output/file_output.hpp"
+#include "microslip/io/output/postponed_signals.hpp"
 #include "microslip/io/output/write_error.hpp"
 
 namespace microslip {
@@ -129,6 +131,21 @@ void check_kind(const std::string& path, const std::string& target, std::string_
                               old_kind.empty() ? "something else" : old_kind,
                               kind.empty() ? "something else" : kind),
                   "Remove it or choose another name.");
+}
+
+void check_own(const std::string& path, const std::string& target) {
+  if (read_file_head(target, 1).empty() || is_own_file(target)) return;
+  throw FileError(path, "exists and was not written by microslip; it would be replaced",
+                  "Move it away or choose another name.");
+}
+
+void check_may_be_replaced(const std::string& path, const std::string& target,
+                           const std::string& by, Replacing replacing) {
+  if (replacing == Replacing::kAny || has_same_bytes(target, by)) return;
+  if (replacing == Replacing::kOwn) return check_own(path, target);
+  if (read_file_head(target, 1).empty()) return;
+  throw FileError(path, "exists and has another content; it would be replaced",
+                  "Choose another name, or add `replace`.");
 }
 
 /// Where a process of this number can be asked for: this machine and its numbering of processes, in
@@ -235,10 +252,12 @@ std::optional<Temporary> second_name(const std::string& target, const std::strin
 
 }  // namespace
 
-void check_output(const std::string& path, std::string_view kind) {
+void check_output(const std::string& path, std::string_view kind, Replacing replacing) {
   if (path == "-") return;
   const OutputTarget target = checked_target(path);
-  if (target.replaced && !kind.empty()) check_kind(path, target.file, kind);
+  if (!target.replaced) return;
+  if (!kind.empty()) check_kind(path, target.file, kind);
+  if (replacing == Replacing::kOwn) check_own(path, target.file);
 }
 
 void check_outputs(std::span<const PlannedOutput> outputs) {
@@ -254,12 +273,13 @@ void check_outputs(std::span<const PlannedOutput> outputs) {
   }
 }
 
-std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::string& path) {
+std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::string& path,
+                                                                  Replacing replacing) {
   const OutputTarget target = checked_target(path);
   const auto same = [&](const File& file) { return is_same_file(file.target, target.file); };
   if (std::any_of(files_.begin(), files_.end(), same)) fail_twice(path);
   auto created = create_beside(path, target);
-  File& file = files_.emplace_back(File{path, target.file, std::move(created.first)});
+  File& file = files_.emplace_back(File{path, target.file, std::move(created.first), replacing});
   return {&file, std::move(created.second)};
 }
 
@@ -269,14 +289,14 @@ void OutputFiles::add(const std::string& path, std::string_view content) {
     standard_output_ = content;
     return;
   }
-  auto [file, descriptor] = create(path);
+  auto [file, descriptor] = create(path, Replacing::kOwn);
   write_all(descriptor.number(), content, path);
   if (!descriptor.close()) fail_to_write(path, errno);
 }
 
-std::string OutputFiles::stage(const std::string& path) {
+std::string OutputFiles::stage(const std::string& path, Replacing replacing) {
   if (path == "-") throw FileError(kStandardOutput, "cannot take this format", "Name a file.");
-  auto [file, descriptor] = create(path);
+  auto [file, descriptor] = create(path, replacing);
   if (!descriptor.close()) fail_to_write(path, errno);
   return file->temporary.path();
 }
@@ -287,6 +307,7 @@ void OutputFiles::check_all() const {
     const std::string& temporary = file.temporary.path();
     if (target.replaced) {
       check_kind(file.path, target.file, file_kind(read_kind_head(temporary)));
+      check_may_be_replaced(file.path, target.file, temporary, file.replacing);
     }
     flush_to_disk(file.path, temporary);
   }
@@ -298,6 +319,15 @@ void OutputFiles::commit() {
     write_standard_output(*standard_output_);
     finish_standard_output();
   }
+  give_names();
+  files_.clear();
+  standard_output_.reset();
+}
+
+/// A signal between two names would leave files of two calls, or none where its handler removes
+/// the old ones.
+void OutputFiles::give_names() {
+  const PostponedSignals until_all_have_theirs;
   std::vector<Placed> placed;
   placed.reserve(files_.size());
   try {
@@ -315,8 +345,6 @@ void OutputFiles::commit() {
     for (Placed& earlier : placed) earlier.take_back();
     throw;
   }
-  files_.clear();
-  standard_output_.reset();
 }
 
 void write_file(const std::string& path, std::string_view content) {

@@ -14,13 +14,22 @@ namespace microslip {
 
 class FileDescriptor;
 
+/// Which file that is there already may be replaced, of those of the same kind.
+enum class Replacing {
+  kOwn,   ///< one that this program wrote, see own_file.hpp
+  kSame,  ///< none but one of the very same bytes, as the same call on the same inputs leaves it
+  kAny,   ///< whoever wrote it
+};
+
 /// Checks, before a long computation, what OutputFiles will demand of a path at its end.
 /// @param path  "-" is standard output, to which anything may go.
 /// @param kind  what will be written, see file_kind.hpp; empty where that is not known yet.
+/// @param replacing  which file may be replaced; content of its own is compared only at the end.
 /// @throws FileError  where the folder is missing or closed to writing, or the path names a folder,
-///                    a device or a pipe, or an existing file of another kind or one closed to
-///                    writing.
-void check_output(const std::string& path, std::string_view kind = {});
+///                    a device or a pipe, or an existing file of another kind, one that this
+///                    program did not write or one closed to writing.
+void check_output(const std::string& path, std::string_view kind = {},
+                  Replacing replacing = Replacing::kOwn);
 
 /// check_output() of a file where there are several.
 struct PlannedOutput {
@@ -38,8 +47,9 @@ inline constexpr std::string_view kRowsSuffix = ".rows";
 
 /// Files that are written all or none. Each is written under a temporary name in its folder first;
 /// commit() gives them their names. Without commit(), on an exception for instance, nothing is left
-/// behind and existing files stay as they were. A file replaces only one of its kind (file_kind()),
-/// or an empty one, and takes over its permissions; a link stays a link. What a process that was
+/// behind and existing files stay as they were. A file replaces only one of its kind (file_kind())
+/// as Replacing has it, one of the same bytes or an empty one, and takes over its permissions; a
+/// link stays a link. What a process that was
 /// killed left of this kind in a folder is removed by the next one that writes there on the same
 /// machine.
 class OutputFiles {
@@ -56,11 +66,13 @@ class OutputFiles {
   /// For what can only be written by name, by another library for instance: the name to write to
   /// before commit(). The file exists and is empty.
   /// @throws FileError  as add().
-  [[nodiscard]] std::string stage(const std::string& path);
+  [[nodiscard]] std::string stage(const std::string& path, Replacing replacing = Replacing::kOwn);
 
   /// Gives all files their names.
-  /// @throws FileError  where a file cannot be replaced or is of another kind; then all are as
-  ///                    before (on a file system without hard links: those not replaced yet).
+  /// Signals that end a process wait until all have theirs, or none.
+  /// @throws FileError  where a file cannot be replaced, is of another kind or none that may be
+  ///                    replaced; then all are as before (on a file system without hard links:
+  ///                    those not replaced yet).
   void commit();
 
  private:
@@ -68,10 +80,12 @@ class OutputFiles {
     std::string path;    ///< as given, for messages
     std::string target;  ///< behind links
     Temporary temporary;
+    Replacing replacing;
   };
 
-  std::pair<File*, FileDescriptor> create(const std::string& path);
+  std::pair<File*, FileDescriptor> create(const std::string& path, Replacing replacing);
   void check_all() const;
+  void give_names();
 
   std::vector<File> files_;
   std::optional<std::string> standard_output_;

@@ -14,6 +14,7 @@
 #include "microslip/report/drawing/child_process.hpp"
 #include "microslip/report/drawing/gnuplot_panel.hpp"
 #include "microslip/report/drawing/panel_layout.hpp"
+#include "microslip/report/drawing/picture_mark.hpp"
 #include "microslip/report/drawing/placed.hpp"
 
 namespace microslip {
@@ -231,8 +232,13 @@ std::string draw_any(const FigureOrGrid& figure, PictureFormat format, PictureSi
     set_svg_fonts(picture);
     escape_svg_texts(picture);
     set_svg_title(picture, title_of(figure));
+    mark_svg(picture);
   }
-  if (format == PictureFormat::kPdf) set_pdf_date(picture);
+  if (format == PictureFormat::kPng) mark_png(picture);
+  if (format == PictureFormat::kPdf) {
+    set_pdf_date(picture);
+    mark_pdf(picture);
+  }
   return picture;
 }
 

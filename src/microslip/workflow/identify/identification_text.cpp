@@ -219,10 +219,11 @@ std::string describe_identification(const Identification& found, std::size_t lev
   return text;
 }
 
-std::string density_csv(const Identification& found) {
+std::string density_csv(const Identification& found, std::string_view command) {
   DensityTable density{found.slip_force, found.density, found.lower, found.upper};
   for (double& value : density.density) value = std::max(value, 0.0);
   CsvWriter table = density_table(density);
+  table.add_comment(heading_of(command));
   const AtomsPart& atoms = found.joint.density().atoms();
   for (std::size_t i = 0; i < atoms.weight.size(); ++i) {
     table.add_comment(fmt::format("not in the density: an atom of weight {:.6g} at {:.6g} N",

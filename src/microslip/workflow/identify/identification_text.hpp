@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "microslip/identify/methods/identification.hpp"
 
@@ -18,6 +19,7 @@ namespace microslip {
 
 /// The text of density.csv; negative values of methods that allow them are written as 0, and
 /// comments tell of atoms and warnings, and how the band is to be read.
-[[nodiscard]] std::string density_csv(const Identification& found);
+/// @param command  of the first comment, see heading_of().
+[[nodiscard]] std::string density_csv(const Identification& found, std::string_view command);
 
 }  // namespace microslip

@@ -131,10 +131,8 @@ std::string WatchedTest::path(const std::string& name) const {
 std::string WatchedTest::report_path() const { return path(std::string(kReportFile)); }
 
 void WatchedTest::check_own() const {
-  std::vector<std::string_view> written{kJointFile, kNextFile, kReportFile};
+  std::vector<std::string_view> written{kJointFile, kDensityFile, kNextFile, kReportFile};
   if (fs::exists(path(std::string(kRigFile)))) written.push_back(kLevelsFile);
-  // A density has no comment that tells: it belongs to the joint beside it.
-  if (!fs::exists(path(std::string(kJointFile)))) written.push_back(kDensityFile);
   for (const std::string_view name : written) {
     const std::string file = path(std::string(name));
     if (!fs::exists(file) || fs::file_size(file) == 0) continue;
@@ -167,7 +165,7 @@ void WatchedTest::tell_left_out(const std::string& file, const std::string& faul
 }
 
 bool WatchedTest::evaluate(const FolderChange& files) {
-  joint_written_ = planned_ = false;
+  joint_written_ = planned_ = unwritten_ = false;
   if (!done([&] { check_own(); })) return false;
   for (const std::string& file : files.changed) faulty_.erase(file);
   std::vector<std::string> records = files.whole;
@@ -237,9 +235,9 @@ void WatchedTest::of_rig(const std::vector<std::string>& files, const FolderChan
     }
   }
   if (reduced.batch.levels.empty()) return;
-  const std::string levels = path(std::string(kLevelsFile));
-  write_file(levels, levels_text(reduced, options_.command));
-  identify_table(levels, options_.stiffness.value_or(reduced.reducer.state().stiffness));
+  write({{kLevelsFile, levels_text(reduced, options_.command)}});
+  identify_table(path(std::string(kLevelsFile)),
+                 options_.stiffness.value_or(reduced.reducer.state().stiffness));
 }
 
 WatchedTest::Kept WatchedTest::sort_out(const std::vector<std::string>& files,
@@ -283,7 +281,7 @@ void WatchedTest::identify_table(const std::string& levels, double stiffness) {
   const IdentifiedLevels done = identify_levels(options);
   options_.tell(WatchedNews::kJoint, joint_line(done.found, done.count));
   write_joint(joint_text(done.found, options.options, done.input, options_.command, options.texts),
-              density_csv(done.found));
+              density_csv(done.found, options_.command));
   plan_next(levels, stiffness, done.count);
 }
 
@@ -295,15 +293,25 @@ void WatchedTest::identify_together(const Kept& kept) {
   options.options.progress = options_.progress;
   const IdentifiedRecords done = identify_records(options);
   options_.tell(WatchedNews::kJoint, joint_line(done.found, 0));
-  write_joint(joint_text(options, done, options_.command), density_csv(done.found));
+  write_joint(joint_text(options, done, options_.command),
+              density_csv(done.found, options_.command));
 }
 
 void WatchedTest::write_joint(const std::string& joint, const std::string& density) {
-  OutputFiles outputs;
-  outputs.add(path(std::string(kJointFile)), joint);
-  outputs.add(path(std::string(kDensityFile)), density);
-  outputs.commit();
+  write({{kJointFile, joint}, {kDensityFile, density}});
   joint_written_ = true;
+}
+
+/// All of them or none.
+void WatchedTest::write(const std::vector<std::pair<std::string_view, std::string>>& files) {
+  try {
+    OutputFiles outputs;
+    for (const auto& [name, text] : files) outputs.add(path(std::string(name)), text);
+    outputs.commit();
+  } catch (const FileError&) {
+    unwritten_ = true;
+    throw;
+  }
 }
 
 void WatchedTest::plan_next(const std::string& levels, double stiffness, std::size_t count) {
@@ -319,7 +327,7 @@ void WatchedTest::plan_next(const std::string& levels, double stiffness, std::si
   planning.amplitude = options_.amplitude;
   planning.progress = options_.progress;
   const LevelPlan plan = plan_levels(planning);
-  write_file(path(std::string(kNextFile)), plan_text(plan, planning, options_.command));
+  write({{kNextFile, plan_text(plan, planning, options_.command)}});
   planned_ = true;
   const DesignedLevel& first = plan.design.levels.front();
   const bool area = options_.target == PlanTarget::kArea;

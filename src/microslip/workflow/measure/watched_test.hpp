@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,9 @@ class WatchedTest {
   /// The report that belongs to the folder, which the caller writes.
   [[nodiscard]] std::string report_path() const;
 
+  /// Whether a file of the last evaluation, found as it should be, could not be written.
+  [[nodiscard]] bool lacks_a_file() const { return unwritten_; }
+
   /// Evaluates complete files. Faulty ones are reported once and left out until they change.
   /// @return whether a joint was written.
   /// @throws InputError  where k is not known. @throws Cancelled  as the progress says.
@@ -83,6 +87,7 @@ class WatchedTest {
   void identify_table(const std::string& levels, double stiffness);
   void identify_together(const Kept& kept);
   void write_joint(const std::string& joint, const std::string& density);
+  void write(const std::vector<std::pair<std::string_view, std::string>>& files);  // name, text
   void forget_plan() const;
   void plan_next(const std::string& levels, double stiffness, std::size_t count);
   bool done(const std::function<void()>& call) const;  // or tells the fault
@@ -93,6 +98,7 @@ class WatchedTest {
   std::map<std::string, std::string> faulty_;  // by path, until it changes
   bool joint_written_ = false;                 // by the last evaluation
   bool planned_ = false;                       // as above, next_levels.csv
+  bool unwritten_ = false;                     // as above, any file
 };
 
 }  // namespace microslip

@@ -98,12 +98,14 @@ std::vector<double> curve_values(const Joint& joint, double beta,
 }
 
 CsvWriter dissipation_table(const std::vector<double>& amplitude, double beta,
-                            const std::vector<double>& values, const Band& band) {
+                            const std::vector<double>& values, const Band& band,
+                            const std::string& command) {
   const std::size_t count = amplitude.size();
   const auto part = [&](const std::vector<double>& all, std::size_t column) {
     return std::span(all).subspan(column * count, count);
   };
   CsvWriter table;
+  table.add_comment(heading_of(command));
   if (beta > 0.0) table.add_comment("linear damping of the joint: " + damping_text(beta));
   table.add_numbers("amplitude", kLength, amplitude);
   const std::array<CurveColumn, kCurveColumns> columns = curve_columns();
@@ -194,13 +196,15 @@ LoneJointDraws draws_of(const JointFile& file, const JointUncertainty& uncertain
 }
 
 JointTable loop_of(const JointFile& file, const DisplacementPath& path, NormalLoadLaw law,
-                   std::size_t elements, const std::optional<LoneJointDraws>& draws) {
+                   std::size_t elements, const std::string& command,
+                   const std::optional<LoneJointDraws>& draws) {
   std::vector<Warning> warnings = reach_warnings(file, farthest(path));
   if (const auto warning = damping_warning(file)) warnings.push_back(*warning);
   DrawnValues drawn = drawn_values(
       file, draws, path.displacement.size(),
       [&](const Joint& joint, double) { return forces_along(path, joint, law, elements); });
   CsvWriter table = loop_table(path, forces_along(path, file.joint, law, elements));
+  table.add_comment(heading_of(command));
   if (draws) {
     table.add_numbers("lower", kForce, drawn.band.lower);
     table.add_numbers("upper", kForce, drawn.band.upper);
@@ -209,15 +213,15 @@ JointTable loop_of(const JointFile& file, const DisplacementPath& path, NormalLo
 }
 
 JointTable dissipation_of(const JointFile& file, const std::vector<double>& amplitude,
-                          const std::optional<LoneJointDraws>& draws) {
+                          const std::string& command, const std::optional<LoneJointDraws>& draws) {
   check_memory("values of `amplitude`", static_cast<double>(amplitude.size()), kBytesOfCurveRow,
                "Take fewer.");
   const double beta = identified_damping(file).value_or(0.0);
   DrawnValues drawn = drawn_values(
       file, draws, kCurveColumns * amplitude.size(),
       [&](const Joint& joint, double own) { return curve_values(joint, own, amplitude); });
-  CsvWriter table =
-      dissipation_table(amplitude, beta, curve_values(file.joint, beta, amplitude), drawn.band);
+  CsvWriter table = dissipation_table(amplitude, beta, curve_values(file.joint, beta, amplitude),
+                                      drawn.band, command);
   return with_draws(std::move(table), reach_warnings(file, amplitude.back()), std::move(drawn),
                     draws);
 }

@@ -496,7 +496,7 @@ def read_recordings(
 
 
 def write_recordings(path: Path, recordings: Union[Recording, Sequence[Recording]],
-                     format: Optional[str] = None) -> None:  # fmt: skip
+                     format: Optional[str] = None, *, replace: bool = False) -> None:  # fmt: skip
     """Writes recordings: at once and whole, or not at all.
 
     Parameters
@@ -507,17 +507,21 @@ def write_recordings(path: Path, recordings: Union[Recording, Sequence[Recording
         One only for CSV.
     format : {"csv", "uff", "uff-ascii", "mat", "h5"}, optional
         Format, whatever the extension.
+    replace : bool
+        Whether an existing recording of this format is replaced. Otherwise one of another content
+        is left as it is.
 
     Raises
     ------
     FileError
-        Where the file cannot be written.
+        Where the file cannot be written, or a file exists that must not be replaced.
     ValueError
         Where the format cannot store the recordings.
     """
     name = path_of(path, "path")
     as_format = None if format is None else one_of(format, "format", FORMATS)
-    _core.write_recordings(name, [r._dict() for r in recordings_of(recordings)], as_format)
+    _core.write_recordings(name, [r._dict() for r in recordings_of(recordings)], as_format,
+                           flag(replace, "replace"))  # fmt: skip
 
 
 def recordings_of(value: object, name: str = "recordings") -> list[Recording]:
