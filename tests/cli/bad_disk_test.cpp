@@ -104,6 +104,40 @@ TEST_P(BadDisk, ThatFailsLateLeavesNothing) {
   }
 }
 
+/// The call where the first lock of a file below the folder fails.
+Outcome run_without_lock(const Sandbox& box, const Arguments& call) {
+  const Sandbox outside;
+  const std::vector<std::string> environment{
+      "LD_PRELOAD=" + test::built_file("MICROSLIP_FAILING_CALLS", MICROSLIP_FAILING_CALLS),
+      "ASAN_OPTIONS=verify_asan_link_order=0",
+      "MICROSLIP_FAILING_FOLDER=" + fs::canonical(box.path()).string(),
+      "MICROSLIP_FAILING_CALL=flock",
+      "MICROSLIP_FAILING_NUMBER=1",
+      "MICROSLIP_FAILED=" + outside.file("failed")};
+  return box.run(call, {.environment = environment});
+}
+
+// Lustre without flock, NFS without its lock manager.
+TEST(DiskWithoutLocks, TakesEnsemblesAndGivesDraws) {
+  const Sandbox box;
+  put_inputs(box);
+  box.put("plan.toml",
+          "schema = \"microslip.ensemble/1\"\nkind = \"bootstrap\"\n[bootstrap]\n"
+          "levels = \"levels.csv\"\nstiffness_N_per_m = 1.7e5\ncount = 20\n");
+  const Outcome ensemble = run_without_lock(box, {"ensemble", "plan.toml", "--out", "r.h5"});
+  EXPECT_EQ(ensemble.status, 0) << ensemble.err;
+  EXPECT_NE(ensemble.out.find("the file system has no locks"), std::string::npos) << ensemble.out;
+  EXPECT_TRUE(box.has("r.h5"));
+  ASSERT_EQ(box.run({"identify", "levels.csv", "--stiffness", "1.7e5", "--samples", "20", "--out",
+                     "j.json", "--samples-out", "s.h5"})
+                .status,
+            0);
+  const Outcome draws =
+      run_without_lock(box, {"dissipation", "j.json", "--amplitude", "1um:9um:3", "--draws", "40",
+                             "--samples", "s.h5", "--out", "x.csv"});
+  EXPECT_EQ(draws.status, 0) << draws.err;
+}
+
 INSTANTIATE_TEST_SUITE_P(EachFormat, BadDisk, ::testing::ValuesIn(all_writings()),
                          [](const auto& each) {
                            std::string name = each.param.out;

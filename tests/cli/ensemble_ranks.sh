@@ -50,6 +50,18 @@ for n in "${counts[@]}"; do
   rm r.h5
 done
 
+# A launcher of another MPI starts several, each of which would be alone and do all of the work.
+for launcher in "PMI_SIZE=3 PMI_RANK" "OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK" "SLURM_STEP_NUM_TASKS=3 SLURM_PROCID"; do
+  for rank in 0 1; do
+    # shellcheck disable=SC2086 # two variables
+    env $launcher=$rank "$ranks" ensemble plan.toml --out stranger.h5 2>said && fail "$launcher=$rank was not refused"
+    [[ "$rank" == 1 ]] || grep -q "SIZE = 3.* do not know of each other.*built with\|TASKS = 3.* built with" said ||
+      fail "$launcher: $(cat said)"
+    [[ "$rank" == 0 || ! -s said ]] || fail "rank 1 of $launcher says the same again: $(cat said)"
+  done
+done
+[[ ! -e stranger.h5 && ! -e stranger.h5.journal ]] || fail "strangers have begun to work"
+
 # Any rank is killed at any moment; then another number of ranks goes on.
 RANDOM=1
 for ((i = 0; i < kills; ++i)); do

@@ -19,7 +19,7 @@
 /// tells which:
 ///
 ///     MICROSLIP_FAILING_FOLDER  the folder, absolute and without links
-///     MICROSLIP_FAILING_CALL    close, fsync or rename
+///     MICROSLIP_FAILING_CALL    close, flock, fsync or rename
 ///     MICROSLIP_FAILING_NUMBER  the how manieth of them, from 1
 ///     MICROSLIP_FAILED          a file that is made when it has failed
 ///     MICROSLIP_FAILING_SIGNAL  the number of the signal that comes; without it, the call fails
@@ -85,6 +85,15 @@ int close(int file) {
   const bool counts = is_below_folder(file) && is_written(file);
   const int result = next<int(int)>("close")(file);
   return counts && fails("close") ? -1 : result;
+}
+
+/// As on a file system without locks.
+int flock(int file, int operation) {
+  if (is_below_folder(file) && fails("flock")) {
+    errno = ENOLCK;
+    return -1;
+  }
+  return next<int(int, int)>("flock")(file, operation);
 }
 
 int fsync(int file) {

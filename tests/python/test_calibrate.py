@@ -192,6 +192,10 @@ def test_bands_of_a_response_are_those_of_the_program(calibrated, folder, tmp_pa
     balance = microslip.HarmonicBalance(calibrated.structure)
     other = balance.frequency_response(2.0, 30.0, 36.0, draws=calibrated.draws, **predicted)
     np.testing.assert_array_equal(other.lower, curve.lower)
+    # The number as `draws` and the draws as `samples`, as the options of the program are called.
+    as_program = predicted | {"draws": predicted["samples"], "samples": calibrated.draws}
+    other = balance.frequency_response(2.0, 30.0, 36.0, **as_program)
+    np.testing.assert_array_equal(other.lower, curve.lower)
     again = pickle.loads(pickle.dumps(other))
     np.testing.assert_array_equal(again.upper, curve.upper)
 

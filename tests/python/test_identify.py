@@ -93,8 +93,11 @@ def test_tables(levels, tmp_path):
     mapping = {"amplitude": levels.amplitude, "dissipation": levels.dissipation, "note": "x"}
     for table in (frame, renamed, mapping):
         assert microslip.identify(table, stiffness=K).joint == plain.joint
-    with pytest.raises(ValueError, match=r"amplitude \[mm\] is in another unit"):
-        microslip.Levels.of(pandas.DataFrame({"amplitude [mm]": [1.0], "dissipation": [1.0]}))
+    with pytest.raises(ValueError, match=r"amplitude \[N\] is in a unit of another quantity"):
+        microslip.Levels.of(pandas.DataFrame({"amplitude [N]": [1.0], "dissipation": [1.0]}))
+    in_mm = pandas.DataFrame({"amplitude [mm]": [1.0], "dissipation (mJ)": [3.0], "frequency": [5.0]})
+    converted = microslip.Levels.of(in_mm)
+    assert (converted.amplitude, converted.dissipation, converted.frequency) == (1e-3, 3e-3, 5.0)
     levels.write(tmp_path / "levels.csv")
     read = microslip.Levels.read(tmp_path / "levels.csv")
     assert np.array_equal(read.dissipation, levels.dissipation)

@@ -211,6 +211,16 @@ def test_what_an_identification_found_goes_along(tmp_path):
     assert with_it.with_joints([read]).joints[0].linear_damping == found.linear_damping
 
 
+def test_a_pickle_with_too_few_numbers_is_refused(structure):
+    """Of another version, or damaged; one number for each of two modes was read beyond the end."""
+    rebuild, arguments, *_ = structure.__reduce_ex__(4)
+    linear = dict(arguments[0])
+    for count in (0, len(linear["loss_factor"]) - 1):
+        short = linear | {"loss_factor": linear["loss_factor"][:count]}
+        with pytest.raises(ValueError, match=f"loss_factor = {count} values; must have one per mode"):
+            rebuild(short, *arguments[1:])
+
+
 def test_missing_modes_are_reported(joint):
     few = microslip.Structure(
         [40.0, 95.0], {"drive": [0.7, 0.4]}, damping_ratio=0.02,

@@ -188,9 +188,16 @@ class Coordinator {
     if (too_many_failed()) fail_by_failures();
     if (run_.shard) {
       done_.journal = own_journal();
-      return std::move(done_);
+    } else {
+      write_result();
     }
-    write_result();
+    if (writer_ && !writer_->is_locked()) {
+      done_.warnings.push_back(
+          {"journal_not_locked",
+           fmt::format("{}: the file system has no locks (Lustre: mount it with flock), so that "
+                       "nothing kept another run from the same journal: start no two at once.",
+                       own_journal())});
+    }
     return std::move(done_);
   }
 
@@ -301,7 +308,7 @@ class Coordinator {
     }
     OutputFiles outputs;
     add_ensemble_result(result, rows, run_.out, outputs);
-    outputs.add(run_.table, ensemble_table(result, rows, run_.command, done_.warnings));
+    add_ensemble_table(result, rows, run_.command, done_.warnings, run_.table, outputs);
     outputs.commit();
     if (run_.keep_journals) return;
     for (const std::string& path : found.paths()) remove_journal(path);

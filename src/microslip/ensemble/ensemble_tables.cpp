@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "microslip/ensemble/sweep_jobs.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/io/output/file_output.hpp"
 #include "microslip/io/output/provenance.hpp"
+#include "microslip/io/output/write_error.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -34,10 +37,14 @@ class TextTable {
   void add(const std::vector<std::string>& row) {
     for (std::size_t c = 0; c < columns_.size(); ++c) columns_[c].push_back(row[c]);
   }
-  [[nodiscard]] bool empty() const { return columns_.front().empty(); }
+  [[nodiscard]] std::size_t size() const { return columns_.front().size(); }
 
   void write_to(CsvWriter& table) const {
     for (std::size_t c = 0; c < columns_.size(); ++c) table.add_text(names_[c], columns_[c]);
+  }
+
+  void clear() {
+    for (std::vector<std::string>& column : columns_) column.clear();
   }
 
  private:
@@ -64,8 +71,42 @@ void add_statistics(const GroupResult& group, TextTable& table) {
   }
 }
 
+/// Takes the text of a table piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+/// A table whose rows go on as soon as there is a block of them.
+class BlockTable {
+ public:
+  BlockTable(std::vector<std::string> names, std::string comment, TextSink sink)
+      : rows_(std::move(names)), comment_(std::move(comment)), sink_(std::move(sink)) {}
+
+  void add(const std::vector<std::string>& row) {
+    constexpr std::size_t kRowsOfBlock = 4096;
+    rows_.add(row);
+    if (rows_.size() >= kRowsOfBlock) flush();
+  }
+
+  /// The first block alone has the comment and the header.
+  void flush() {
+    if (rows_.size() == 0) return;
+    CsvWriter block;
+    if (!begun_) block.add_comment(comment_);
+    rows_.write_to(block);
+    const std::string text = block.str();
+    sink_(begun_ ? std::string_view(text).substr(text.find('\n') + 1) : text);
+    begun_ = true;
+    rows_.clear();
+  }
+
+ private:
+  TextTable rows_;
+  std::string comment_;
+  TextSink sink_;
+  bool begun_ = false;
+};
+
 /// Rows of the outputs that are short.
-void add_grid(const GroupResult& group, const RowPass& rows, TextTable& table) {
+void add_grid(const GroupResult& group, const RowPass& rows, BlockTable& table) {
   const std::vector<SweepAxis>& axes = group.group.grid;
   std::uint64_t job = 0;
   rows([&](std::span<const double> row) {
@@ -129,8 +170,7 @@ TextTable statistics_table(const EnsembleResult& result) {
   return rows;
 }
 
-TextTable grid_table(const EnsembleResult& result,
-                     const std::function<RowPass(std::size_t group)>& rows_of) {
+std::vector<std::string> grid_columns(const EnsembleResult& result) {
   std::vector<std::string> names{"group", "output", "unit", "axis", "at"};
   for (const SweepAxis& axis : result.groups.front().group.grid) {
     std::string name = axis.number;  // brackets would be those of a unit
@@ -139,30 +179,50 @@ TextTable grid_table(const EnsembleResult& result,
     names.push_back(std::move(name));
   }
   names.emplace_back("value");
-  TextTable rows(std::move(names));
-  for (std::size_t g = 0; g < result.groups.size(); ++g) {
-    add_grid(result.groups[g], rows_of(g), rows);
+  return names;
+}
+
+void write_table(const EnsembleResult& result,
+                 const std::function<RowPass(std::size_t group)>& rows_of,
+                 const std::string& comment, const TextSink& sink) {
+  const bool grid = !result.groups.front().group.grid.empty();
+  const double rows = grid ? rows_of_sweep(result) : 0.0;
+  if (grid && rows > 0.0 && rows <= kMostRows) {
+    BlockTable table(grid_columns(result), comment, sink);
+    for (std::size_t g = 0; g < result.groups.size(); ++g) {
+      add_grid(result.groups[g], rows_of(g), table);
+    }
+    return table.flush();
   }
-  return rows;
+  CsvWriter table;
+  table.add_comment(comment);
+  if (grid) {
+    table.add_comment("values of the grid are in the HDF5 file; these are over the whole grid");
+  }
+  statistics_table(result).write_to(table);
+  sink(table.str());
 }
 
 }  // namespace
 
-std::string ensemble_table(const EnsembleResult& result,
-                           const std::function<RowPass(std::size_t group)>& rows_of,
-                           const std::string& command, const std::vector<Warning>& warnings) {
-  CsvWriter table;
-  table.add_comment(comment_of(result, command, warnings));
-  const bool grid = !result.groups.front().group.grid.empty();
-  const double rows = grid ? rows_of_sweep(result) : 0.0;
-  if (grid && rows > 0.0 && rows <= kMostRows) {
-    grid_table(result, rows_of).write_to(table);
-  } else {
-    if (grid)
-      table.add_comment("values of the grid are in the HDF5 file; these are over the whole grid");
-    statistics_table(result).write_to(table);
+void add_ensemble_table(const EnsembleResult& result,
+                        const std::function<RowPass(std::size_t group)>& rows_of,
+                        const std::string& command, const std::vector<Warning>& warnings,
+                        const std::string& path, OutputFiles& outputs) {
+  const std::string comment = comment_of(result, command, warnings);
+  if (path == "-") {
+    std::string text;
+    write_table(result, rows_of, comment, [&](std::string_view piece) { text += piece; });
+    outputs.add(path, text);
+    return;
   }
-  return table.str();
+  try {
+    FileOutput file(outputs.stage(path));
+    write_table(result, rows_of, comment, [&](std::string_view piece) { file.write(piece); });
+    file.close();
+  } catch (const WriteError& error) {
+    throw error.renamed(path);  // its own is that of a temporary file
+  }
 }
 
 std::vector<Warning> ensemble_warnings(const EnsembleResult& result) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -6,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/bindings/python/arguments.hpp"
 #include "microslip/bindings/python/core.hpp"
 #include "microslip/bindings/python/long_work.hpp"
@@ -27,6 +30,10 @@ using namespace py::literals;
 ModalModel modal_model_of(const py::dict& linear) {
   const std::vector<double> frequency = copy_of(linear["angular_frequency"].cast<RealArray>());
   const std::vector<double> loss_factor = copy_of(linear["loss_factor"].cast<RealArray>());
+  if (loss_factor.size() != frequency.size()) {  // of a damaged pickle, or of another version
+    throw InputError("loss_factor", fmt::format("{} values", loss_factor.size()),
+                     fmt::format("must have one per mode, {}", frequency.size()));
+  }
   std::vector<Mode> modes;
   for (std::size_t i = 0; i < frequency.size(); ++i)
     modes.push_back({frequency[i], loss_factor[i]});

@@ -196,7 +196,7 @@ class ResultWriter {
 };
 
 Hdf5Handle created(const std::string& path, const std::string& name) {
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  const Hdf5Handle access = hdf5_access();
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.id(), false);
@@ -208,8 +208,9 @@ Hdf5Handle created(const std::string& path, const std::string& name) {
 /// Reads all datasets back: their check sums, and that the disk has them all. The library lets some
 /// errors of a full disk pass.
 void verify(const std::string& path, const std::string& name) {
+  const Hdf5Handle access = hdf5_access();
   const Hdf5Handle file =
-      require_hdf5({H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose}, name);
+      require_hdf5({H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose}, name);
   const auto read = [](hid_t group, const char* member, const H5O_info_t* info, void*) -> herr_t {
     if (info->type != H5O_TYPE_DATASET) return 0;
     const Hdf5Handle dataset(H5Dopen2(group, member, H5P_DEFAULT), H5Dclose);

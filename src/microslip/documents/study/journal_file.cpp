@@ -126,17 +126,26 @@ bool is_at(int file, const std::string& path) {
          open.st_ino == named.st_ino;
 }
 
+/// By what a file system says that it has no locks: Lustre mounted without flock, NFS without its
+/// lock manager.
+bool has_no_locks(int error) {
+  return error == ENOSYS || error == ENOLCK || error == EOPNOTSUPP || error == EINVAL;
+}
+
 /// The journal, made where it is not there or empty, which no other process has or gets meanwhile.
 /// Its heading comes under another name, so that it is whole or not there.
-FileDescriptor open_alone(const std::string& path, std::string_view heading) {
+/// @param locked  becomes false where the file system has no locks.
+FileDescriptor open_alone(const std::string& path, std::string_view heading, bool& locked) {
   constexpr mode_t kMode = 0666;  // less what umask takes
   for (;;) {
     FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode));
     if (!file.is_open()) fail_to_write(path, errno);
     if (::flock(file.number(), LOCK_EX | LOCK_NB) != 0) {
-      if (errno != EWOULDBLOCK) fail_to_write(path, errno);
-      throw FileError(path, "is being written by another run",
-                      "Wait until that has ended, or choose another name for the result.");
+      locked = locked && !has_no_locks(errno);
+      if (locked && errno != EWOULDBLOCK) fail_to_write(path, errno);
+      if (locked)
+        throw FileError(path, "is being written by another run",
+                        "Wait until that has ended, or choose another name for the result.");
     }
     if (!is_at(file.number(), path)) continue;
     if (size_of(file.number(), path) > 0) return file;
@@ -211,6 +220,7 @@ struct JournalWriter::State {
   std::string path;
   FileDescriptor file;
   std::uint64_t end = 0;
+  bool locked = true;
 
   void cut() {
     if (::ftruncate(file.number(), static_cast<off_t>(end)) != 0) fail_to_write(path, errno);
@@ -219,12 +229,16 @@ struct JournalWriter::State {
 
 JournalWriter::JournalWriter(const std::string& path, std::string_view heading) {
   check_output(path, kJournalKind);
-  state_ = std::make_unique<State>(State{path, open_alone(path, heading)});
+  bool locked = true;
+  state_ = std::make_unique<State>(State{path, open_alone(path, heading, locked)});
+  state_->locked = locked;
   state_->end = JournalReader(path).end();
   state_->cut();
 }
 
 JournalWriter::~JournalWriter() = default;
+
+bool JournalWriter::is_locked() const { return state_->locked; }
 
 void JournalWriter::append(std::uint64_t number, std::string_view content) {
   std::string numbers;

@@ -58,7 +58,7 @@ class JournalReader {
 };
 
 /// A journal to go on with. While it lives, no other process can open it so; nor do two that begin
-/// at once.
+/// at once, where the file system has locks.
 class JournalWriter {
  public:
   /// Opens the journal and cuts off what is not whole at its end; makes it where it is not there or
@@ -71,6 +71,9 @@ class JournalWriter {
   ~JournalWriter();
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
+
+  /// Whether other processes are kept from it; not where the file system has no locks.
+  [[nodiscard]] bool is_locked() const;
 
   /// @param number   of the block. @param content  of it.
   /// @throws WriteError  where the disk does not take all of it: then nothing of it is left.

@@ -65,8 +65,17 @@ void fail_hdf5(std::string_view place, std::string_view expected) {
                     "The file is damaged; save or copy it again.");
 }
 
+Hdf5Handle hdf5_access() {
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access.id(), false, true);
+#endif
+  return access;
+}
+
 Hdf5Handle open_hdf5(const std::string& path) {
-  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Hdf5Handle access = hdf5_access();
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
   if (!file.valid()) {
     throw FormatError({.file = path}, "a whole HDF5 file", hdf5_reason(),
                       "It is another file, truncated or damaged; save or copy it again.");

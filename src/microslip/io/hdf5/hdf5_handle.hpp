@@ -62,6 +62,10 @@ class Hdf5Handle {
   Close close_ = nullptr;
 };
 
+/// Properties of access to a file without a lock. A file that is read is never written in place,
+/// one that is written has a name of its own, and file systems without locks (Lustre, NFS) refuse.
+[[nodiscard]] Hdf5Handle hdf5_access();
+
 /// To be called in a reading process alone, see hdf5_reader.hpp.
 /// @throws FormatError  where it is no HDF5 file, or a damaged one.
 [[nodiscard]] Hdf5Handle open_hdf5(const std::string& path);

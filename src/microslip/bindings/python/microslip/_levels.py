@@ -150,7 +150,7 @@ class Levels(Shown):
         ----------
         table : DataFrame or mapping
             With columns ``amplitude`` and ``dissipation``, and others as of the class. A unit may
-            follow a name as in levels.csv, ``amplitude [m]``; other units than SI are refused.
+            follow a name as in levels.csv, ``amplitude [um]``; it is converted to that of SI.
             ``reversals``, ``flags`` and ``assembly`` have the same meaning as there. Other columns
             are ignored, unless their names look like mistakes: ``dissipation_sd``.
         use_inner_reversals, assemblies
@@ -229,14 +229,19 @@ def _columns_of(table: Any) -> dict[str, Any]:
             continue
         if name in keys:
             raise InputError(f"{keys[name]} and {key} are both columns; must be one of them")
-        if unit and name in _UNITS and unit != _UNITS[name]:
-            raise InputError(
-                f"{key} is in another unit; must be in {_UNITS[name]}."
-                " Convert it, or write a levels.csv, which Levels.read converts"
-            )
         keys[name] = key
-        columns[name] = table[key]
+        columns[name] = _in_si(table[key], str(key), unit, name)
     return columns
+
+
+def _in_si(values: Any, key: str, unit: str, name: str) -> Any:
+    """Values of a column in the unit of its quantity."""
+    if name not in _UNITS or not unit or unit == _UNITS[name]:
+        return values
+    numerator, denominator, si_unit = _core.unit(unit)
+    if si_unit != _UNITS[name]:
+        raise InputError(f"{key} is in a unit of another quantity; must be in one of {_UNITS[name]}")
+    return real_array(values, key) * numerator / denominator
 
 
 def _name_and_unit(key: str) -> tuple[str, str]:

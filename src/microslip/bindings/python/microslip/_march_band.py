@@ -13,7 +13,7 @@ from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._march import MarchEnergy, march_arguments
 from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
-from ._spread import DrawsOfJoints, Spread, drawn
+from ._spread import DrawsOrCount, Spread, drawn
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -108,8 +108,8 @@ def march_band(
     forces: Optional[Mapping[str, ArrayLike]] = None,
     *,
     point: Optional[str] = None,
-    draws: Optional[DrawsOfJoints] = None,
-    samples: int = 1000,
+    draws: Optional[DrawsOrCount] = None,
+    samples: DrawsOrCount = 1000,
     seed: int = 1,
     confidence: float = 0.95,
     correlation: str = "auto",

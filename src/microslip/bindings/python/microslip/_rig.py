@@ -33,6 +33,7 @@ from ._joint import AnyJoint, IdentifiedJoint, Joint, identified
 from ._levels import Levels
 from ._recordings import Recording, recordings_of
 from ._results import Note, Shown, Summary, fix, notes, outcome, reported, si, summary_of, warn_of
+from ._spread import draws_and_count
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -87,7 +88,11 @@ class Rig(Shown):
 
     def write(self, path: Path) -> None:
         """Writes a rig.toml: at once and whole, or not at all."""
-        _core.write_file(path_of(path, "path"), self.text.encode())
+        heading = "# microslip "
+        text = self.text
+        if not text.startswith(heading):  # by which the file shows that it may be replaced
+            text = f"{heading}{_core.version}: microslip.Rig.write\n{text}"
+        _core.write_file(path_of(path, "path"), text.encode())
 
     @property
     def text(self) -> str:
@@ -492,8 +497,8 @@ def verify(
     use_vibrometer: bool = True,
     skip_faulty: bool = False,
     linear_damping: Optional[float] = None,
-    draws: Optional[JointDraws] = None,
-    samples: int = 0,
+    draws: Optional[Union[JointDraws, int]] = None,
+    samples: Union[int, JointDraws] = 0,
     seed: int = 1,
     confidence: float = 0.95,
     frequency_std: float = 0.0,
@@ -532,7 +537,8 @@ def verify(
     draws : JointDraws, optional
         Posterior draws of the joint, for bands of the prediction.
     samples : int
-        Number of draws that are predicted; 0: none, else 2/(1 - confidence) or more.
+        Number of draws that are predicted; 0: none, else 2/(1 - confidence) or more. As with the
+        options of the program, the two may also be the other way round.
     seed, confidence
         Seed of the draws; share of them in a band, in (0, 1).
     frequency_std, loss_factor_std, normal_load_std, force_gain_std, acceleration_gain_std : float
@@ -564,11 +570,11 @@ def verify(
         "linear_damping": damping,
     }
     asked = None
+    draws, count = draws_and_count(draws, samples)
     if draws is not None and not isinstance(draws, JointDraws):
         raise InputError(f"draws = {draws!r}; must be microslip.JointDraws")
-    if draws is not None and not samples:
+    if draws is not None and not count:
         raise InputError("samples is 0; must be the number of draws to predict")
-    count = whole(samples, "samples", 0, 1_000_000)
     spread = _spread_of_rig(count, {
         "frequency_std": frequency_std, "loss_factor_std": loss_factor_std,
         "normal_load_std": normal_load_std, "force_gain_std": force_gain_std,

@@ -7,6 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Optional, Union
 
+import numpy as np
+
 from ._arguments import ArrayLike, RealArray, broadcast, not_negative, one_of, real, whole
 from ._draws import JointDraws
 from ._errors import InputError
@@ -14,6 +16,8 @@ from ._structure import Structure
 
 #: Draws of each joint: one object for the only joint, one or None per joint, or by name.
 DrawsOfJoints = Union[JointDraws, Sequence[Optional[JointDraws]], Mapping[str, JointDraws]]
+#: Those, or the number of draws to predict: see `draws_and_count`.
+DrawsOrCount = Union[DrawsOfJoints, int]
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,11 +70,28 @@ class PeakBand(NamedTuple):
     draws: int  #: number of draws that have the peak
 
 
-def drawn(structure: Structure, draws: Optional[DrawsOfJoints], samples: object, seed: object,
+def draws_and_count(draws: Any, samples: Any) -> tuple[Any, int]:
+    """Draws of joints, and the number to predict. As with the options of the program, `draws` may be
+    the number, and `samples` the draws of the joints."""
+    if isinstance(draws, (int, np.integer)) and not isinstance(draws, bool):
+        count = whole(draws, "draws", 1, 1_000_000)
+        if isinstance(samples, (int, np.integer)):
+            if samples not in (0, count):
+                raise InputError(f"draws = {draws} and samples = {samples}; must not both be numbers"
+                                 " of draws")  # fmt: skip
+            samples = None
+        return samples, count
+    if draws is None and isinstance(samples, (JointDraws, list, tuple, Mapping)):
+        raise InputError("draws is missing; must be the number of draws, as samples are the draws of"
+                         " the joints")  # fmt: skip
+    return draws, whole(samples, "samples", 0, 1_000_000)
+
+
+def drawn(structure: Structure, draws: Optional[DrawsOrCount], samples: object, seed: object,
           confidence: object, correlation: object,
           spread: Optional[Spread]) -> Optional[dict[str, Any]]:  # fmt: skip
     """The draws as the compiled half takes them; None without draws."""
-    count = whole(samples, "samples", 0, 1_000_000)
+    draws, count = draws_and_count(draws, samples)
     if spread is not None and not isinstance(spread, Spread):
         raise InputError(f"spread = {spread!r}; must be a microslip.Spread")
     if count == 0:

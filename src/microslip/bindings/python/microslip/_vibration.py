@@ -27,7 +27,7 @@ from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._plot import plot_curve
 from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
-from ._spread import Band, DrawsOfJoints, PeakBand, Spread, drawn
+from ._spread import Band, DrawsOrCount, PeakBand, Spread, drawn
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -358,8 +358,8 @@ class HarmonicBalance:
         from_: float,
         to: float,
         *,
-        draws: Optional[DrawsOfJoints] = None,
-        samples: int = 0,
+        draws: Optional[DrawsOrCount] = None,
+        samples: DrawsOrCount = 0,
         seed: int = 1,
         confidence: float = 0.95,
         correlation: str = "auto",
@@ -375,11 +375,12 @@ class HarmonicBalance:
             Amplitude, N, or m/s**2 of a base; above 0.
         from_, to : float
             Ends of the curve, Hz, in either order.
-        draws : JointDraws, or one or None per joint, or mapping of names, optional
+        draws : JointDraws, or one or None per joint, or mapping of names, or int, optional
             Posterior draws of the joints; a linear damping drawn with them is used.
-        samples : int
+        samples : int, or draws of joints
             Number of predictions by draws of `draws` and `spread`; 0: none, else
-            2/(1 - confidence) or more.
+            2/(1 - confidence) or more. As with the options of the program, the two may also be the
+            other way round: ``draws=1000, samples=found.draws``.
         seed : int
             Seed of the draws.
         confidence : float
@@ -413,8 +414,8 @@ class HarmonicBalance:
         from_: float,
         to: float,
         *,
-        draws: Optional[DrawsOfJoints] = None,
-        samples: int = 0,
+        draws: Optional[DrawsOrCount] = None,
+        samples: DrawsOrCount = 0,
         seed: int = 1,
         confidence: float = 0.95,
         correlation: str = "auto",
@@ -435,8 +436,8 @@ class HarmonicBalance:
         *,
         mode: int = 0,
         through_folds: bool = True,
-        draws: Optional[DrawsOfJoints] = None,
-        samples: int = 0,
+        draws: Optional[DrawsOrCount] = None,
+        samples: DrawsOrCount = 0,
         seed: int = 1,
         confidence: float = 0.95,
         correlation: str = "auto",

@@ -10,6 +10,10 @@ try
     microslip_mex(varargin{:});
   end
 catch found
-  error(found.identifier, '%s', regexprep(found.message, '^microslip_mex: ', ''));
+  identifier = found.identifier;
+  if isempty(identifier)  % of the loader, where a library is not found; an empty one raises nothing
+    identifier = 'microslip:load';
+  end
+  error(identifier, '%s', regexprep(found.message, '^microslip_mex: ', ''));
 end
 end
