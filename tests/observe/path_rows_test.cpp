@@ -174,6 +174,39 @@ TEST(PathRows, BeginOnTheSideThatTheMotionGoesTo) {
   }
 }
 
+// A path at constant speed, sampled beside its turns: the turn at a corner is where the path was,
+// so that rows are the forces on that path, of which every tenth place is a sample. Rounding as
+// above.
+TEST(PathRows, TurnAtCornersBetweenSamples) {
+  const Joint truth = joint();
+  std::vector<double> whole = {0.0};
+  std::vector<PathCorner> corners;
+  constexpr double kStep = kLength / 1000.0;
+  double direction = 1.0;
+  for (const int steps : {1003, 1809, 1507, 702, 1204}) {
+    for (int i = 0; i < steps; ++i) whole.push_back(whole.back() + direction * kStep);
+    corners.push_back({0.1 * static_cast<double>(whole.size() - 1), -20.0 * direction * kStep});
+    direction = -direction;
+  }
+  corners.pop_back();
+  const std::vector<double> all = testing::forces_on(truth, whole);
+  std::vector<double> path;
+  std::vector<double> force;
+  for (std::size_t i = 0; i < whole.size(); i += 10) {
+    path.push_back(whole[i]);
+    force.push_back(all[i]);
+  }
+  const PathRows rows = path_rows(path, force, PathStart::kVirgin, 0.0, kAllRows, corners);
+  const std::vector<double> found = predicted(rows, truth);
+  EXPECT_EQ(rows.reversals, 4U);
+  std::size_t samples = 0;
+  for (std::size_t i = 0; i < rows.rows.size(); ++i) {
+    samples += rows.rows[i].count;
+    ASSERT_NEAR(found[i], rows.rows[i].force, 2e-11) << "row " << i;
+  }
+  EXPECT_EQ(samples, path.size());
+}
+
 TEST(PathRows, HoldSmallTurnsTogether) {
   // A rise of 100 with turns of 1 on it.
   std::vector<double> path;

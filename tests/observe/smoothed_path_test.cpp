@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -71,6 +72,26 @@ TEST(SmoothedPath, KeepsThePathAtItsEndsToTheNoise) {
   const SmoothedPath found = smooth_path(with_noise(truth, 1e-3, 8));
   for (const std::size_t i : {std::size_t{0}, truth.size() - 1}) {
     EXPECT_NEAR(found.displacement[i], truth[i], 5e-3) << i;
+  }
+}
+
+// A triangle of 100 samples a branch, its corners between them. A filter alone rounds them by an
+// eighth of the change of the velocity times the samples that it takes together.
+TEST(SmoothedPath, KeepsCorners) {
+  constexpr double kBranch = 100.3;
+  std::vector<double> truth;
+  for (int i = 0; i < 3000; ++i) {
+    truth.push_back(2.0 / std::numbers::pi * std::asin(std::sin(std::numbers::pi * i / kBranch)));
+  }
+  for (const double noise : {1e-4, 1e-3, 1e-2}) {
+    const SmoothedPath found = smooth_path(with_noise(truth, noise, 11));
+    EXPECT_NEAR(found.noise / noise, 1.0, 0.1) << noise;
+    EXPECT_EQ(found.corners.size(), 30U) << noise;
+    double largest = 0.0;
+    for (std::size_t i = 200; i + 200 < truth.size(); ++i) {
+      largest = std::max(largest, std::abs(found.displacement[i] - truth[i]));
+    }
+    EXPECT_LE(largest, 3.0 * noise);
   }
 }
 

@@ -182,6 +182,34 @@ double tenth_of_ranges(std::span<const double> path, const std::vector<std::size
   return *tenth;
 }
 
+/// A turn of a path, at a sample or beyond it.
+struct Turn {
+  std::size_t sample;  ///< the last one on the branch that ends
+  double value;        ///< of the path, m
+};
+
+/// The turn at a sample, sharp where one of the corners is beside it: the mean of the straight
+/// lines through two samples on either side. What is not beyond the sample is no turn of the
+/// corner.
+Turn turn_at(std::span<const double> path, std::size_t sample,
+             const std::vector<PathCorner>& corners) {
+  const Turn at_sample{sample, path[sample]};
+  if (sample < 2 || sample + 3 > path.size()) return at_sample;
+  const auto place = static_cast<double>(sample);
+  const auto corner = std::ranges::lower_bound(corners, place - 1.0, {}, &PathCorner::at);
+  if (corner == corners.end() || corner->at >= place + 1.0) return at_sample;
+  const std::size_t before = corner->at < place ? sample - 1 : sample;
+  const std::size_t after = before + 1;
+  if (before < 1 || after + 1 >= path.size()) return at_sample;
+  const double share = corner->at - static_cast<double>(before);
+  const double value = 0.5 * (path[before] + share * (path[before] - path[before - 1]) +
+                              path[after] - (1.0 - share) * (path[after + 1] - path[after]));
+  const double direction =
+      path[sample] > path[sample - 1] || path[sample] > path[sample + 1] ? 1.0 : -1.0;
+  if (direction * (value - path[sample]) < 0.0) return at_sample;
+  return {before, value};
+}
+
 /// How long the rows of each branch are.
 class RowLengths {
  public:
@@ -212,7 +240,8 @@ std::string_view to_string(PathStart start) {
 }
 
 PathRows path_rows(std::span<const double> path, std::span<const double> force, PathStart start,
-                   double threshold, std::size_t most_rows) {
+                   double threshold, std::size_t most_rows,
+                   const std::vector<PathCorner>& corners) {
   PathRows out;
   const std::vector<std::size_t> turns = turning_samples(path, threshold);
   out.reversals = turns.size() - 2;
@@ -220,15 +249,18 @@ PathRows path_rows(std::span<const double> path, std::span<const double> force, 
   const RowLengths lengths(path, most_rows);
   RowBuilder builder(path, force, out);
   Walk walk(start, path.front());
+  std::size_t next = 0;
   for (std::size_t k = 1; k < turns.size(); ++k) {
     const double direction = path[turns[k]] > path[turns[k - 1]] ? 1.0 : -1.0;
     builder.set_length(lengths.of_branch(k - 1));
-    for (std::size_t i = turns[k - 1] + (k > 1 ? 1 : 0); i <= turns[k]; ++i) {
-      if (walk.move(path[i], direction)) builder.end_stretch();
-      if (walk.known()) builder.add(i, direction, walk);
+    const Turn turn = turn_at(path, turns[k], corners);
+    for (; next <= turn.sample; ++next) {
+      if (walk.move(path[next], direction)) builder.end_stretch();
+      if (walk.known()) builder.add(next, direction, walk);
     }
     builder.end_stretch();
-    walk.turn(path[turns[k]]);
+    walk.move(turn.value, direction);
+    walk.turn(turn.value);
   }
   for (PathRow& row : out.rows) row.group -= start == PathStart::kUnknown ? 1 : 0;
   out.groups = out.rows.empty() ? 0 : out.rows.back().group + 1;

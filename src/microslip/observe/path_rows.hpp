@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/observe/force_record.hpp"
+#include "microslip/observe/path_corners.hpp"
 
 namespace microslip {
 
@@ -66,7 +67,10 @@ struct PathRows {
 /// @param start      the state that it begins in.
 /// @param threshold  turns smaller than this are ignored, m; ≥ 0.
 /// @param most_rows  largest number of rows, approximately; more samples are grouped.
+/// @param corners    of the path: a turn that is one lies between samples and beyond them, where
+///                   the path on its two sides meets.
 [[nodiscard]] PathRows path_rows(std::span<const double> path, std::span<const double> force,
-                                 PathStart start, double threshold, std::size_t most_rows);
+                                 PathStart start, double threshold, std::size_t most_rows,
+                                 const std::vector<PathCorner>& corners = {});
 
 }  // namespace microslip

@@ -8,7 +8,7 @@ namespace {
 
 PathRows rows_of(const ForceRecord& record, const SmoothedPath& path, PathStart start) {
   return path_rows(path.displacement, record.force, start, path.smallest_turn(),
-                   RecordEvidence::kMostRows);
+                   RecordEvidence::kMostRows, path.corners);
 }
 
 const ForceRecord& checked(const ForceRecord& record) {

@@ -87,6 +87,20 @@ double noise_power(const std::vector<std::complex<double>>& spectrum) {
   return median(std::move(upper)) / kMedianOfPower;
 }
 
+/// Adds the parts of corners to samples of a path, times a factor.
+void add_corners(const std::vector<PathCorner>& corners, double factor, std::vector<double>& path) {
+  const auto size = static_cast<double>(path.size());
+  const std::vector<double> reach = reach_of_corners(corners, size);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const double at = corners[k].at;
+    const auto from = static_cast<std::size_t>(std::max(0.0, at - reach[k]));
+    const auto to = static_cast<std::size_t>(std::min(size, at + reach[k] + 1.0));
+    for (std::size_t i = from; i < to; ++i) {
+      path[i] += factor * corners[k].value(static_cast<double>(i) - at, reach[k]);
+    }
+  }
+}
+
 }  // namespace
 
 double SmoothedPath::smallest_turn() const {
@@ -96,7 +110,11 @@ double SmoothedPath::smallest_turn() const {
 }
 
 SmoothedPath smooth_path(std::span<const double> displacement) {
-  const Periodic periodic(displacement);
+  SmoothedPath result;
+  result.corners = path_corners(displacement);
+  result.displacement.assign(displacement.begin(), displacement.end());
+  add_corners(result.corners, -1.0, result.displacement);
+  const Periodic periodic(result.displacement);
   const std::size_t n = periodic.values.size();
   Eigen::FFT<double> fft(Eigen::default_fft_impl<double>(), Eigen::FFT<double>::HalfSpectrum);
   std::vector<std::complex<double>> spectrum;
@@ -113,11 +131,10 @@ SmoothedPath smooth_path(std::span<const double> displacement) {
   std::vector<double> values(n);
   fft.inv(values, spectrum, static_cast<Eigen::Index>(n));
 
-  SmoothedPath result;
-  result.displacement.resize(displacement.size());
   for (std::size_t i = 0; i < displacement.size(); ++i) {
     result.displacement[i] = values[periodic.first + i] + periodic.line(i);
   }
+  add_corners(result.corners, 1.0, result.displacement);
   result.noise = std::sqrt(noise / static_cast<double>(n));
   result.left = result.noise * std::sqrt(kept / static_cast<double>(spectrum.size()));
   return result;

@@ -16,6 +16,7 @@
 #include "microslip/identify/records/level_agreement.hpp"
 #include "microslip/identify/records/record_departures.hpp"
 #include "microslip/identify/records/record_model.hpp"
+#include "microslip/identify/records/record_polarity.hpp"
 #include "microslip/identify/records/record_settling.hpp"
 #include "microslip/identify/smoothing/fewer_rows.hpp"
 #include "microslip/identify/smoothing/signed_density.hpp"
@@ -25,36 +26,6 @@ namespace {
 
 constexpr std::size_t kFewestReversals = 2;
 constexpr std::size_t kFewestDraws = 100;
-/// A record may return this share of the work exchanged: noise.
-constexpr double kMostGiven = 1e-2;
-
-/// A joint dissipates work, and its force opposes the displacement.
-void check_sign(const RecordEvidence& evidence) {
-  const std::vector<double>& u = evidence.path().displacement;
-  const std::vector<double>& f = evidence.measured().force;
-  double work = 0.0;
-  double moved = 0.0;
-  double mean = 0.0;
-  for (const double value : f) mean += value / static_cast<double>(f.size());
-  for (std::size_t i = 1; i < u.size(); ++i) {
-    const double step = (0.5 * (f[i] + f[i - 1]) - mean) * (u[i] - u[i - 1]);
-    work += step;
-    moved += std::abs(step);
-  }
-  double together = 0.0;
-  for (std::size_t i = 0; i < u.size(); ++i) together += (f[i] - mean) * (u[i] - u.front());
-  if (!(together > 0.0)) {
-    throw InputError("covariance of force and displacement, N m",
-                     together / static_cast<double>(u.size()),
-                     "must be positive: the force of a joint rises with the displacement",
-                     "Change the sign of one channel, or take the channels of this joint.");
-  }
-  if (work > -kMostGiven * moved) return;
-  throw InputError("work over the record, J", work, "must be positive: a joint dissipates energy",
-                   "Force and displacement may be swapped, or the force may lead the displacement: "
-                   "give each its channel, without delay.");
-}
-
 /// Reads coefficients as joints.
 class DrawReader {
  public:
@@ -272,7 +243,7 @@ void check_records(std::span<const RecordEvidence> evidence,
                        fmt::format("must be {} or more", kFewestRecordSamples),
                        "Record more cycles, or begin with a joint that has not slipped.");
     }
-    check_sign(one);
+    check_polarity(one);
     if (options.viscous && one.measured().time_step == 0.0) {
       throw InputError("time step", 0.0, "must be known to find a viscous part");
     }
