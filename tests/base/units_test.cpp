@@ -106,6 +106,73 @@ std::vector<Case> known_units() {
   };
 }
 
+// As exports of testing machines (MTS, Instron, Zwick), loggers (LabVIEW, Hioki) and analysers
+// write them. A pound-force is 4.4482216152605 N, standard gravity 9.80665 m/s^2 (NIST SP 811).
+std::vector<Case> other_spellings() {
+  return {
+      {"lbs", 4.4482216152605, kForce},
+      {"LBS", 4.4482216152605, kForce},
+      {"kips", 4448.2216152605, kForce},
+      {"lbs/in", 4.4482216152605 / 0.0254, kStiffness},
+      {"kgf", 9.80665, kForce},
+      {"kp", 9.80665, kForce},
+      {"daN", 10.0, kForce},
+      {"Newtons", 1.0, kForce},
+      {"in.", 0.0254, kLength},
+      {"inch", 0.0254, kLength},
+      {"Inches", 0.0254, kLength},
+      {"mils", 2.54e-5, kLength},
+      {"microns", 1e-6, kLength},
+      {"millimeters", 1e-3, kLength},
+      {"in./sec", 0.0254, kVelocity},
+      {"sec", 1.0, kTime},
+      {"sec.", 1.0, kTime},
+      {"Seconds", 1.0, kTime},
+      {"msec", 1e-3, kTime},
+      {"min", 60.0, kTime},
+      {"h", 3600.0, kTime},
+      {"g's", 9.80665, kAcceleration},
+      {"G", 9.80665, kAcceleration},
+      {"rpm", 1.0 / 60.0, kFrequency},
+      {"degrees", std::numbers::pi / 180.0, kAngle},
+      {"µε", 1e-6, kDimensionless},
+      {"microstrain", 1e-6, kDimensionless},
+      {"mm/mm", 1.0, kDimensionless},
+      {"bar", 1e5, kPressure},
+      {"mbar", 100.0, kPressure},
+      {"ksi", 6894757.293168361, kPressure},
+      {"ms-2", 1.0, kAcceleration},
+      {"ms^-2", 1.0, kAcceleration},
+      {"ms⁻²", 1.0, kAcceleration},
+      {"mms-2", 1e-3, kAcceleration},
+      {"ms-1", 1.0, kVelocity},
+      {"mm s-1", 1e-3, kVelocity},
+      {"Nm", 1.0, kEnergy},
+      {"kNm", 1e3, kEnergy},
+      {"Nmm", 1e-3, kEnergy},
+      {"Nm-1", 1.0, kStiffness},
+      {"kgm-3", 1.0, kMassDensity},
+  };
+}
+
+TEST(Units, SpellingsOfLaboratoriesAreKnown) {
+  for (const Case& c : other_spellings()) {
+    const auto unit = find_unit(c.text);
+    ASSERT_TRUE(unit) << c.text;
+    EXPECT_DOUBLE_EQ(unit->factor(), c.factor) << c.text;
+    EXPECT_EQ(unit->dimension, c.dimension) << c.text << ": " << dimension_name(unit->dimension);
+  }
+}
+
+TEST(Units, OtherQuantitiesAreNamedAsSuch) {
+  for (const char* text : {"°C", "degF", "V", "mV", "mV/g", "Ω", "pC/N", "Volts"}) {
+    EXPECT_TRUE(is_other_unit(text)) << text;
+    EXPECT_FALSE(find_unit(text)) << text;
+  }
+  for (const char* text : {"", "furlong", "N", "1", "/V"})
+    EXPECT_FALSE(is_other_unit(text)) << text;
+}
+
 TEST(Units, KnownOnesConvertToSi) {
   for (const Case& c : known_units()) {
     const auto unit = find_unit(c.text);

@@ -294,8 +294,8 @@ TEST(RecordingCsvFault, Units) {
   EXPECT_EQ(fault(with_rows("time [s],force [furlong]")),
             "r.csv:1:10: expected a unit for column 2 'force', found the unknown unit 'furlong'. "
             "Usual units: s, Hz, N, m/s^2, g, m/s, m, um (µm), 1.");
-  EXPECT_EQ(fault(with_rows("time (min),force (N)")),
-            "r.csv:1:1: expected a unit for column 1 'time', found the unknown unit 'min'. Usual "
+  EXPECT_EQ(fault(with_rows("time (day),force (N)")),
+            "r.csv:1:1: expected a unit for column 1 'time', found the unknown unit 'day'. Usual "
             "units: s, ms, us.");
   EXPECT_NE(
       fault(with_rows("time,force\ns,furlong")).find("r.csv:2:3: expected a unit for column 2"),

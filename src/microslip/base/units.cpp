@@ -37,18 +37,101 @@ constexpr std::array kSymbols{
     Symbol{"t", 1.0, 3, kMass, ""},
     Symbol{"lb", 0.45359237, 0, kMass, ""},
     Symbol{"s", 1.0, 0, kTime, "num"},
-    Symbol{"sec", 1.0, 0, kTime, ""},
+    Symbol{"min", 60.0, 0, kTime, ""},
+    Symbol{"h", 3600.0, 0, kTime, ""},
     Symbol{"Hz", 1.0, 0, kFrequency, "mkMG"},
+    Symbol{"rpm", 1.0 / 60.0, 0, kFrequency, ""},
     Symbol{"rad", 1.0, 0, kAngle, "um"},
     Symbol{"deg", std::numbers::pi / 180.0, 0, kAngle, ""},
     Symbol{"N", 1.0, 0, kForce, "numkMG"},
+    Symbol{"daN", 1.0, 1, kForce, ""},
+    Symbol{"kgf", kStandardGravity, 0, kForce, ""},
+    Symbol{"kp", kStandardGravity, 0, kForce, ""},
     Symbol{"lbf", kPoundForce, 0, kForce, "k"},
     Symbol{"kip", kPoundForce, 3, kForce, ""},
     Symbol{"J", 1.0, 0, kEnergy, "numkM"},
     Symbol{"Pa", 1.0, 0, kPressure, "mkMG"},
+    Symbol{"bar", 1.0, 5, kPressure, "m"},
     Symbol{"psi", kPoundForce / (254.0 * 254.0), 8, kPressure, ""},
+    Symbol{"ksi", kPoundForce / (254.0 * 254.0), 11, kPressure, ""},
+    Symbol{"strain", 1.0, 0, kDimensionless, "um"},
     Symbol{"g", kStandardGravity, 0, kAcceleration, "um"},
 };
+
+/// Other spellings of a unit, as testing machines, loggers and spreadsheets write them. A load in
+/// lbs is a force.
+struct Spelling {
+  std::string_view text;  ///< capitals do not count
+  std::string_view symbol;
+};
+
+constexpr std::array kSpellings{
+    Spelling{"sec", "s"},
+    Spelling{"secs", "s"},
+    Spelling{"second", "s"},
+    Spelling{"seconds", "s"},
+    Spelling{"msec", "ms"},
+    Spelling{"msecs", "ms"},
+    Spelling{"millisecond", "ms"},
+    Spelling{"milliseconds", "ms"},
+    Spelling{"usec", "us"},
+    Spelling{"usecs", "us"},
+    Spelling{"microsecond", "us"},
+    Spelling{"microseconds", "us"},
+    Spelling{"nanoseconds", "ns"},
+    Spelling{"minute", "min"},
+    Spelling{"minutes", "min"},
+    Spelling{"hour", "h"},
+    Spelling{"hours", "h"},
+    Spelling{"inch", "in"},
+    Spelling{"inches", "in"},
+    Spelling{"ins", "in"},
+    Spelling{"foot", "ft"},
+    Spelling{"feet", "ft"},
+    Spelling{"mils", "mil"},
+    Spelling{"thou", "mil"},
+    Spelling{"micron", "um"},
+    Spelling{"microns", "um"},
+    Spelling{"metre", "m"},
+    Spelling{"metres", "m"},
+    Spelling{"meter", "m"},
+    Spelling{"meters", "m"},
+    Spelling{"millimetre", "mm"},
+    Spelling{"millimetres", "mm"},
+    Spelling{"millimeter", "mm"},
+    Spelling{"millimeters", "mm"},
+    Spelling{"micrometer", "um"},
+    Spelling{"micrometers", "um"},
+    Spelling{"micrometre", "um"},
+    Spelling{"micrometres", "um"},
+    Spelling{"newton", "N"},
+    Spelling{"newtons", "N"},
+    Spelling{"kilonewton", "kN"},
+    Spelling{"kilonewtons", "kN"},
+    Spelling{"lbs", "lbf"},
+    Spelling{"lbsf", "lbf"},
+    Spelling{"kips", "kip"},
+    Spelling{"kilogram", "kg"},
+    Spelling{"kilograms", "kg"},
+    Spelling{"kgs", "kg"},
+    Spelling{"g's", "g"},
+    Spelling{"gn", "g"},
+    Spelling{"g_n", "g"},
+    Spelling{"hertz", "Hz"},
+    Spelling{"degree", "deg"},
+    Spelling{"degrees", "deg"},
+    Spelling{"radian", "rad"},
+    Spelling{"radians", "rad"},
+    Spelling{"microstrain", "ustrain"},
+    Spelling{"percent", "%"},
+};
+
+/// Units of quantities that are not mechanical.
+constexpr std::array<std::string_view, 36> kOtherUnits{
+    "degC", "degF",   "C",     "F",      "K",     "celsius", "fahrenheit", "kelvin", "V",
+    "mV",   "uV",     "kV",    "volt",   "volts", "Volt",    "Volts",      "Vdc",    "VDC",
+    "Vrms", "A",      "mA",    "uA",     "Ohm",   "ohm",     "W",          "kW",     "dB",
+    "pC",   "counts", "count", "cycles", "cycle", "bit",     "bits",       "%RH",    "lx"};
 
 /// Dimensions with a name, with the units that messages propose; the first one is SI.
 struct Quantity {
@@ -83,7 +166,7 @@ constexpr int kLargestPower = 9;
 
 /// One spelling for each symbol: both micro signs become u, raised digits become digits.
 std::string plain_ascii(std::string_view text) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kSpellings{{
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kCharacters{{
       {"µ", "u"},  // U+00B5 micro sign
       {"μ", "u"},  // U+03BC Greek mu
       {"°", "deg"},
@@ -97,12 +180,17 @@ std::string plain_ascii(std::string_view text) {
       {"−", "-"},
       {"\t", " "},
       {"**", "^"},
+      {"ε", "strain"},
+      {"Ω", "Ohm"},
+      {"Ω", "Ohm"},  // U+2126 ohm sign
+      {"’", "'"},
+      {"″", "in"},
   }};
   std::string result;
   while (!text.empty()) {
-    const auto* found = std::find_if(kSpellings.begin(), kSpellings.end(),
+    const auto* found = std::find_if(kCharacters.begin(), kCharacters.end(),
                                      [&](const auto& s) { return text.starts_with(s.first); });
-    const bool known = found != kSpellings.end();
+    const bool known = found != kCharacters.end();
     result += known ? found->second : text.substr(0, 1);
     text.remove_prefix(known ? found->first.size() : 1);
   }
@@ -131,9 +219,12 @@ int prefix_exponent(char prefix) {
 }
 
 std::optional<Symbol> find_symbol(std::string_view name) {
+  constexpr std::size_t kLongest = 16;
+  if (name.size() > kLongest) return std::nullopt;
   for (const Symbol& symbol : kSymbols) {
     if (symbol.name == name) return symbol;
   }
+  if (name == "G") return find_symbol("g");  // no prefix without a unit
   if (name.size() < 2) return std::nullopt;
   for (Symbol symbol : kSymbols) {
     if (symbol.name == name.substr(1) && symbol.prefixes.find(name[0]) != std::string_view::npos) {
@@ -141,11 +232,38 @@ std::optional<Symbol> find_symbol(std::string_view name) {
       return symbol;
     }
   }
+  if (name.ends_with('.')) return find_symbol(name.substr(0, name.size() - 1));
+  std::string small(name);
+  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const auto* spelling = std::ranges::find(kSpellings, small, &Spelling::text);
+  return spelling == kSpellings.end() ? std::nullopt : find_symbol(spelling->symbol);
+}
+
+/// Two units without a sign between them.
+struct Joined {
+  Symbol first;
+  Symbol second;
+};
+
+/// Nm and kgm are products of two units. So is ms before a negative power: m s^-2 is meant, not a
+/// millisecond to the -2.
+std::optional<Joined> find_joined(std::string_view name, bool negative) {
+  constexpr std::size_t kLongest = 5;  // daNmm
+  for (std::size_t cut = 1; cut < name.size() && name.size() <= kLongest; ++cut) {
+    const std::string_view second = name.substr(cut);
+    const std::optional<Symbol> first = find_symbol(name.substr(0, cut));
+    if (!first) continue;
+    const bool length = second == "m" || second == "mm" || second == "cm" || second == "um";
+    const bool of_force = length && (first->dimension == kForce || first->dimension == kMass);
+    const bool of_motion = negative && second == "s" && first->dimension == kLength;
+    if (of_force || of_motion) return Joined{*first, *find_symbol(second)};
+  }
   return std::nullopt;
 }
 
 /// unit = factor (('/' | '*' | '-' | ' ') factor)*;  factor = '1' | symbol [['^'] ['-'] digit].
-/// A '-' before a letter joins two units, as in in-lbf.
+/// A '-' before a letter joins two units, as in in-lbf. The power behind two units without a sign
+/// between them is that of the second.
 class UnitParser {
  public:
   explicit UnitParser(std::string_view text) : text_(text) {}
@@ -175,14 +293,25 @@ class UnitParser {
   bool read_factor(int sign) {
     if (text_.starts_with('(')) return read_brackets(sign);
     const std::string_view name = read_name();
-    const std::optional<Symbol> symbol = find_symbol(name);
     const std::optional<int> power = name == "1" ? 1 : read_power();
-    if (!symbol || !power) return false;
-    const int n = sign * *power;
-    (n > 0 ? unit_.numerator : unit_.denominator) *= std::pow(symbol->factor, std::abs(n));
-    exponent_ += n * symbol->exponent;
-    unit_.dimension = unit_.dimension * symbol->dimension.power(n);
+    if (!power) return false;
+    const std::optional<Symbol> symbol = find_symbol(name);
+    const std::optional<Joined> joined =
+        !symbol || *power < 0 ? find_joined(name, *power < 0) : std::nullopt;
+    if (joined) {
+      multiply(joined->first, sign);
+      multiply(joined->second, sign * *power);
+      return true;
+    }
+    if (!symbol) return false;
+    multiply(*symbol, sign * *power);
     return true;
+  }
+
+  void multiply(const Symbol& symbol, int power) {
+    (power > 0 ? unit_.numerator : unit_.denominator) *= std::pow(symbol.factor, std::abs(power));
+    exponent_ += power * symbol.exponent;
+    unit_.dimension = unit_.dimension * symbol.dimension.power(power);
   }
 
   /// A unit in brackets, with a power.
@@ -270,6 +399,12 @@ std::optional<Unit> find_unit(std::string_view text) {
   const std::string plain = plain_ascii(text);
   if (plain == "-") return Unit{};
   return UnitParser(plain).parse();
+}
+
+bool is_other_unit(std::string_view text) {
+  const std::string plain = plain_ascii(text);
+  const std::string_view first = std::string_view(plain).substr(0, plain.find('/'));
+  return std::ranges::find(kOtherUnits, first) != kOtherUnits.end();
 }
 
 Unit parse_unit(std::string_view text, const Dimension& expected) {

@@ -73,9 +73,15 @@ struct Unit {
 /// Hz, Pa, psi, rad, deg, g, with the usual prefixes n, u (µ), m, c, k, M, G where they are in
 /// use, and `1`, `-` or `%` for a number. `g` is standard gravity, 9.80665 m/s^2; masses are in kg.
 /// Powers read m/s^2, m/s2 or m/s²; products N m, N*m or N·m; a quotient is read from the left;
-/// an expression in brackets, (m/s^2)^2/Hz, is one unit.
+/// an expression in brackets, (m/s^2)^2/Hz, is one unit. Other spellings of laboratories count too:
+/// sec, msec, min, inches, in., mils, microns, lbs (a force), kips, kgf, daN, g's, G, rpm, µε, bar,
+/// ksi; Nm is N m, and ms-2 is m s^-2.
 /// @return  nothing where the text is no such unit.
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view text);
+
+/// Whether a text names a unit of a quantity that is not mechanical, such as °C, V, A or mV/g.
+/// Values in it have no dimension here.
+[[nodiscard]] bool is_other_unit(std::string_view text);
 
 /// find_unit() for a unit that must be of the given dimension.
 /// @throws InputError  naming the unit, its dimension, and units that would fit.
