@@ -74,6 +74,46 @@ TEST(RecordingFormat, RefusesOtherSignatures) {
   EXPECT_THROW(format_of("{\"a\": 1}"), FormatError);
 }
 
+/// Of little-endian order: type, rows, columns, no imaginary part, length of the name, name.
+std::string mat4_head() {
+  std::string head(20, '\0');
+  head[4] = 100;
+  head[8] = 1;
+  head[16] = 5;
+  return head + std::string("time\0", 5) + std::string(800, '\x3F');
+}
+
+// What laboratories bring and is not read is named, with the way out.
+TEST(RecordingFormat, NamesFormatsOfLaboratories) {
+  struct Case {
+    std::string head;
+    std::string name;
+    std::string remedy;
+  };
+  const std::vector<Case> cases{
+      {"TDSm\x0E\0\0\0"s, "a TDMS file of LabVIEW", "as_hdf"},
+      {"LabVIEW Measurement\t\r\n", "an LVM file of LabVIEW", "Save it as CSV"},
+      {"MDF     4.10    ", "an MDF file (ASAM)", "asammdf"},
+      {"RIFF\x24\0\0\0WAVEfmt "s, "a WAV file", "no unit"},
+      {"\x93NUMPY\x01\0v\0{"s, "an NPY file of NumPy", "savemat"},
+      {"CDF\x01\0\0\0\0"s, "a netCDF-3 file", "nccopy -k nc4"},
+      {"\x0E\x03\x13\x01", "an HDF4 file", "h4toh5"},
+      {"# Created by Octave 7.3.0\n# name: x\n", "a text file of Octave", "save -v7"},
+      {"Octave-1-L\0"s, "a binary file of Octave", "save -v7"},
+      {"PK\x03\x04", "a ZIP archive or a spreadsheet", "as CSV"},
+      {"PAR1\x15", "a Parquet file", "to_csv"},
+      {mat4_head(), "a MAT file of version 4", "save -v7"},
+  };
+  for (const Case& c : cases) {
+    const std::string message = message_of<FormatError>([&] { return format_of(c.head); });
+    EXPECT_NE(message.find("found " + c.name + ". "), std::string::npos) << message;
+    EXPECT_NE(message.find(c.remedy), std::string::npos) << message;
+  }
+  for (const char* table : {"time [s],a\n0,1\n", "PAR1,PAR2\n", "MDF [N],t [s]\n", "BZh,t\n"}) {
+    EXPECT_EQ(format_of(table), RecordingFormat::kCsv) << table;
+  }
+}
+
 TEST(RecordingFormat, OfNamesOfOutputs) {
   EXPECT_EQ(recording_format_of_name("a/b.CSV"), RecordingFormat::kCsv);
   EXPECT_EQ(recording_format_of_name("-"), RecordingFormat::kCsv);

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/bytes/signature.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
 
 #include "microslip/io/bytes/text.hpp"
 
@@ -10,11 +14,15 @@ namespace {
 
 using std::literals::operator""sv;
 
-constexpr std::string_view kUtf16Text = "UTF-16 text";
+constexpr std::string_view kRight = "Is it the right file?";
+constexpr std::string_view kUnpack = "Unpack it first.";
+constexpr std::string_view kExport = "Export it to CSV, MATLAB (v7) or HDF5.";
 
+/// A format that is not read has its way out.
 struct Signature {
   std::string_view start;
   std::string_view name;
+  std::string_view remedy = kRight;
 };
 
 constexpr std::array kBinary{
@@ -23,11 +31,48 @@ constexpr std::array kBinary{
     Signature{"MATLAB 7.3 MAT-file"sv, "a MATLAB file"},
     Signature{"MATLAB 5.0 MAT-file"sv, "a MATLAB file"},
     Signature{"%PDF-"sv, "a PDF document"},
-    Signature{"PK\x03\x04"sv, "a ZIP archive or a spreadsheet"},
-    Signature{"\x1F\x8B"sv, "a gzip archive"},
-    Signature{"\xFF\xFE"sv, kUtf16Text},
-    Signature{"\xFE\xFF"sv, kUtf16Text},
+    Signature{"PK\x03\x04"sv, "a ZIP archive or a spreadsheet",
+              "Save a spreadsheet as CSV; unpack an archive."},
+    Signature{"\x1F\x8B"sv, "a gzip archive", kUnpack},
+    Signature{"BZh91AY&SY"sv, "a bzip2 archive", kUnpack},
+    Signature{"\xFD\x37zXZ"sv, "an xz archive", kUnpack},
+    Signature{"\x28\xB5\x2F\xFD"sv, "a Zstandard archive", kUnpack},
+    Signature{"7z\xBC\xAF\x27\x1C"sv, "a 7z archive", kUnpack},
+    Signature{"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv, "a spreadsheet or document of old Office",
+              "Save it as CSV."},
+    Signature{"\xFF\xFE"sv, "UTF-16 text", "Save it as UTF-8."},
+    Signature{"\xFE\xFF"sv, "UTF-16 text", "Save it as UTF-8."},
+    Signature{"TDSm"sv, "a TDMS file of LabVIEW",
+              "Export it to HDF5 (npTDMS: TdmsFile.read(FILE).as_hdf(OUT)), MATLAB or CSV."},
+    Signature{"TDSh"sv, "an index of a TDMS file of LabVIEW", "Export the .tdms beside it."},
+    Signature{"LabVIEW Measurement"sv, "an LVM file of LabVIEW",
+              "Save it as CSV, or delete what stands above the line of names, and give that units: "
+              "'time [s]'."},
+    Signature{"MDF     "sv, "an MDF file (ASAM)",
+              "Export it to MATLAB (v7.3) or CSV, with asammdf for instance."},
+    Signature{"UnFinMF "sv, "an MDF file (ASAM) that was not closed",
+              "Repair it and export it to MATLAB (v7.3) or CSV, with asammdf for instance."},
+    Signature{"|CF,"sv, "a FAMOS file of imc", kExport},
+    Signature{"\x93NUMPY"sv, "an NPY file of NumPy",
+              "Save it by scipy.io.savemat(FILE, {'fs': …, 'x': …}), or by h5py."},
+    Signature{"CDF\x01"sv, "a netCDF-3 file", "Make it netCDF-4: nccopy -k nc4 IN OUT."},
+    Signature{"CDF\x02"sv, "a netCDF-3 file", "Make it netCDF-4: nccopy -k nc4 IN OUT."},
+    Signature{"CDF\x05"sv, "a netCDF file of CDF-5", "Make it netCDF-4: nccopy -k nc4 IN OUT."},
+    Signature{"\x0E\x03\x13\x01"sv, "an HDF4 file", "Make it HDF5: h4toh5 IN OUT."},
+    Signature{"PAR1\x15"sv, "a Parquet file",
+              "pandas: read_parquet(FILE).to_csv(OUT, index=False)."},
+    Signature{"ARROW1"sv, "an Arrow or Feather file",
+              "pandas: read_feather(FILE).to_csv(OUT, index=False)."},
+    Signature{"SQLite format 3"sv, "an SQLite database", "Export the table as CSV."},
+    Signature{"# Created by Octave"sv, "a text file of Octave",
+              "In Octave: load it, and save -v7 FILE."},
+    Signature{"Octave-1-"sv, "a binary file of Octave", "In Octave: load it, and save -v7 FILE."},
 };
+
+constexpr Signature kWav{"", "a WAV file",
+                         "Its values have no unit. Save them with units: CSV, or MATLAB (v7)."};
+constexpr Signature kMat4{"", "a MAT file of version 4",
+                          "In MATLAB or Octave: load it, and save -v7 FILE."};
 
 /// After blanks and line breaks.
 constexpr std::array kTextSignatures{
@@ -37,6 +82,37 @@ constexpr std::array kTextSignatures{
     Signature{"<!DOCTYPE html"sv, "an HTML page"},
     Signature{"<html"sv, "an HTML page"},
 };
+
+/// The sound of Microsoft's RIFF.
+bool is_wav(std::string_view head) {
+  return (head.starts_with("RIFF") || head.starts_with("RF64")) && head.size() >= 12 &&
+         head.substr(8, 4) == "WAVE";
+}
+
+/// MATLAB: MAT-File Format, "Level 4". It has no mark: the type of a matrix, its rows, columns and
+/// whether it is complex, then the length of its name and the name, which ends in a zero.
+bool is_mat4(std::string_view head) {
+  constexpr std::size_t kHeader = 20;
+  constexpr std::uint32_t kLongestName = 64;
+  if (head.size() <= kHeader) return false;
+  for (const bool big : {false, true}) {
+    std::array<std::uint32_t, 5> field{};
+    for (std::size_t i = 0; i < kHeader; ++i) {
+      const std::size_t byte = big ? 3 - i % 4 : i % 4;
+      field[i / 4] |= std::uint32_t{static_cast<unsigned char>(head[i])} << (8 * byte);
+    }
+    const auto [type, rows, columns, imaginary, length] = field;
+    const std::uint32_t digits = type % 1000;
+    const bool order = type / 1000 == (big ? 1U : 0U);
+    if (!order || digits / 100 != 0 || digits / 10 % 10 > 5 || digits % 10 > 2) continue;
+    if (imaginary > 1 || length < 2 || length > kLongestName) continue;
+    const std::string_view name = head.substr(kHeader, length);
+    const bool ends = name.size() == length && name.find('\0') == length - 1;
+    const bool sized = rows > 0 && columns > 0 && rows < (1U << 30U) && columns < (1U << 30U);
+    if (ends && sized && std::isalpha(static_cast<unsigned char>(name[0])) != 0) return true;
+  }
+  return false;
+}
 
 /// A universal file: the first line is -1, right-adjusted in six columns.
 bool is_universal_file(std::string_view head) {
@@ -52,6 +128,8 @@ std::string_view signature(std::string_view head) {
   for (const Signature& s : kBinary) {
     if (head.starts_with(s.start)) return s.name;
   }
+  if (is_wav(head)) return kWav.name;
+  if (is_mat4(head)) return kMat4.name;
   if (is_universal_file(head)) return "a universal file";
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
   const std::size_t first = head.find_first_not_of(" \t\r\n");
@@ -67,7 +145,11 @@ std::string_view signature(std::string_view head) {
 }
 
 std::string_view remedy_for_signature(std::string_view signature) {
-  return signature == kUtf16Text ? "Save it as UTF-8." : "Is it the right file?";
+  for (const Signature& s : {kWav, kMat4}) {
+    if (s.name == signature) return s.remedy;
+  }
+  const auto* const found = std::ranges::find(kBinary, signature, &Signature::name);
+  return found == kBinary.end() ? kRight : found->remedy;
 }
 
 }  // namespace microslip

@@ -6,10 +6,12 @@
 namespace microslip {
 
 /// Kind of a file by its first bytes: "a PNG picture", "a MATLAB file", "an HDF5 file", "JSON",
-/// …; empty where they are those of no format known here, as with tables.
+/// …, and those of laboratories that are not read: "a TDMS file of LabVIEW", "a WAV file"; empty
+/// where they are those of no format known here, as with tables.
 [[nodiscard]] std::string_view signature(std::string_view head);
 
-/// Remedy for a file of this signature where a text is expected.
+/// Remedy for a file of this signature where another is expected: the way out of a format that is
+/// not read.
 [[nodiscard]] std::string_view remedy_for_signature(std::string_view signature);
 
 }  // namespace microslip
