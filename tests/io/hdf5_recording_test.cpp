@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/damaged_binary.hpp"
+#include "io/other_hdf5.hpp"
 #include "io/sample_recordings.hpp"
 #include "io/support.hpp"
 
@@ -18,56 +19,7 @@ namespace microslip::hdf5_recording_test {
 namespace {
 
 using test::message_of;
-
-/// A file as another program would write it, straight by the library.
-class OtherFile {
- public:
-  explicit OtherFile(const std::string& path, hid_t access = H5P_DEFAULT)
-      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)) {}
-  OtherFile(const OtherFile&) = delete;
-  OtherFile& operator=(const OtherFile&) = delete;
-  ~OtherFile() { H5Fclose(file_); }
-
-  void group(const char* name) {
-    H5Gclose(H5Gcreate2(file_, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-  }
-
-  template <class T>
-  void dataset(const char* name, hid_t type, const std::vector<hsize_t>& sizes,
-               const std::vector<T>& values) {
-    const hid_t space = H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr);
-    const hid_t set = H5Dcreate2(file_, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    if (!values.empty()) H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    H5Dclose(set);
-    H5Sclose(space);
-  }
-
-  void number(const char* object, const char* name, double value) {
-    const hid_t space = H5Screate(H5S_SCALAR);
-    attribute(object, name, H5T_NATIVE_DOUBLE, space, &value);
-    H5Sclose(space);
-  }
-
-  /// Of variable length, as h5py writes texts.
-  void text(const char* object, const char* name, const char* value) {
-    const hid_t space = H5Screate(H5S_SCALAR);
-    const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, H5T_VARIABLE);
-    attribute(object, name, type, space, &value);
-    H5Tclose(type);
-    H5Sclose(space);
-  }
-
- private:
-  void attribute(const char* object, const char* name, hid_t type, hid_t space, const void* value) {
-    const hid_t at =
-        H5Acreate_by_name(file_, object, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    H5Awrite(at, type, value);
-    H5Aclose(at);
-  }
-
-  hid_t file_;
-};
+using test::OtherFile;
 
 class Hdf5Recording : public testing::Test {
  protected:

@@ -135,6 +135,13 @@ TEST(UffReader, UnknownDatasetsAreSkipped) {
             "dataset 2411");
 }
 
+// The format allows text between datasets.
+TEST(UffReader, PassesOverRemarksBetweenDatasets) {
+  const std::string one = text_dataset(three_points(), kThree);
+  const Recordings read = read_uff(one + "Workpiece 3\n\nwritten by a mesher\n" + one + "end\n");
+  EXPECT_EQ(read.recordings[0].channels.size(), 2U);
+}
+
 TEST(UffReader, DecodesLatin1) {
   Function58 f = three_points();
   f.id = "Kan\xE4le";
@@ -276,9 +283,9 @@ TEST(UffReader, RefusesOtherFiles) {
   EXPECT_EQ(uff_fault(""),
             "t.uff: expected a function of at least two points (dataset 58 or 58b), found an empty "
             "file");
-  EXPECT_EQ(uff_fault(text_dataset(three_points(), kThree) + "rest\n"),
+  EXPECT_EQ(uff_fault(text_dataset(three_points(), kThree) + " 1.5E+03\n"),
             "t.uff:16:1: expected the line '    -1' that opens a dataset, or the end of the file, "
-            "found 'rest'");
+            "found ' 1.5E+03'");
   EXPECT_EQ(uff_fault("    -1\nabc\n"),
             "t.uff:2:1: expected an integer as the number of the dataset, found 'abc'");
   EXPECT_NE(uff_fault("    -1\n").find("the number of the dataset of dataset 1"),

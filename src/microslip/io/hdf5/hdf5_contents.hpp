@@ -13,7 +13,8 @@
 namespace microslip {
 
 /// All recordings of a file. @throws FormatError, InputError  as read_recordings_hdf5().
-[[nodiscard]] Recordings hdf5_recordings(const std::string& path, const Progress& progress);
+[[nodiscard]] Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
+                                         const Progress& progress);
 
 /// The variables of a MATLAB file of version 7.3, which is one of HDF5.
 /// @throws FormatError  as read_mat_tree().

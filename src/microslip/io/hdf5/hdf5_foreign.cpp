@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -11,8 +13,11 @@
 
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/hdf5/hdf5_handle.hpp"
+#include "microslip/io/hdf5/hdf5_packing.hpp"
+#include "microslip/io/hdf5/hdf5_scales.hpp"
 #include "microslip/io/hdf5/hdf5_values.hpp"
 #include "microslip/io/recordings/sampling.hpp"
+#include "microslip/signal/recording/quantity_name.hpp"
 
 namespace microslip {
 namespace {
@@ -46,20 +51,77 @@ Sampling sampling_of(hid_t object, Sampling known, const std::string& place) {
   return known;
 }
 
+/// A dimension of more than one value.
+struct DatasetSide {
+  hsize_t size = 0;
+  std::vector<Hdf5Handle> scales = {};  ///< datasets that the file names for it
+};
+
 struct Dataset {
   std::string name;
   std::string place;
   Hdf5Handle handle;
-  std::vector<hsize_t> sizes;  ///< without those that are 1
+  std::vector<DatasetSide> sides = {};  ///< at most two are read
+
+  /// The longest side, the first of equal ones.
+  [[nodiscard]] std::size_t longest() const {
+    return static_cast<std::size_t>(std::ranges::max_element(sides, {}, &DatasetSide::size) -
+                                    sides.begin());
+  }
 };
+
+/// The axis of a dataset lies along one of its sides.
+struct AxisAlong {
+  Axis axis;
+  std::size_t side = 0;
+};
+
+/// The axis that the datasets of a group share by its name.
+struct AxisBeside {
+  PointsAxis points;
+  std::string name;
+  std::vector<haddr_t> scales;  ///< of its one dimension; itself where it is a scale
+};
+
+std::vector<haddr_t> addresses_of(const std::vector<Hdf5Handle>& scales) {
+  std::vector<haddr_t> addresses;
+  for (const Hdf5Handle& scale : scales) addresses.push_back(hdf5_address(scale.id()));
+  return addresses;
+}
+
+/// Values over another dimension than the axis are not over it, however many they are. Where the
+/// file names no dimensions, the number of values decides.
+bool may_share(const DatasetSide& side, const AxisBeside& axis) {
+  if (side.size != axis.points.points) return false;
+  if (side.scales.empty() || axis.scales.empty()) return true;
+  return std::ranges::any_of(addresses_of(side.scales), [&](haddr_t address) {
+    return std::ranges::find(axis.scales, address) != axis.scales.end();
+  });
+}
+
+/// Whether the name of a dimension speaks of time: that of the samples is not that of the channels.
+bool speaks_of_time(const DatasetSide& side) {
+  return std::ranges::any_of(side.scales, [](const Hdf5Handle& scale) {
+    std::array<char, 256> path{};
+    if (H5Iget_name(scale.id(), path.data(), path.size() - 1) <= 0) return false;
+    const std::string name = in_capitals(file_name(path.data()));
+    return name.find("TIME") != std::string::npos || name.find("SAMPLE") != std::string::npos;
+  });
+}
 
 class ForeignReader {
  public:
   ForeignReader(std::string path, Hdf5Progress& progress)
       : path_(std::move(path)), progress_(progress) {}
 
-  Recordings read(hid_t file) {
+  Recordings read(hid_t file, bool allow_untimed) {
     read_group(file, "", {}, 0);
+    if (result_.recordings.empty() && allow_untimed && may_be_untimed(without_axis_)) {
+      visited_.clear();
+      without_axis_.clear();
+      read_group(file, "", {.step = 1.0}, 0);
+      result_.warnings.push_back(points_untimed(path_));
+    }
     if (result_.recordings.empty()) fail_without_recording();
     warn_without_rate(without_axis_, result_.warnings);
     return std::move(result_);
@@ -69,6 +131,10 @@ class ForeignReader {
   void read_group(hid_t group, const std::string& inside, Sampling sampling, int depth) {
     const std::string place = fmt::format("{}:{}", path_, inside.empty() ? "/" : inside);
     if (depth > kDeepestGroup || !visit(group)) return;
+    if (H5Aexists(group, "OCTAVE_NEW_FORMAT") > 0) {
+      throw FormatError({.file = place}, "a group of datasets", "a variable of Octave's save -hdf5",
+                        "In Octave: load it, and save -v7 FILE.");
+    }
     std::vector<Dataset> datasets;
     std::vector<std::pair<std::string, Hdf5Handle>> groups;
     sampling = sampling_of(group, sampling, place);
@@ -98,12 +164,16 @@ class ForeignReader {
   void sort_in(std::vector<Dataset>& datasets, Sampling& sampling, const std::string& name,
                const std::string& place, Hdf5Handle handle) {
     const Hdf5Content content = hdf5_content(handle.id());
+    if (content == Hdf5Content::kTable) tables_.push_back(place);
     if (content != Hdf5Content::kReal && content != Hdf5Content::kComplex) return;
-    Dataset dataset{name, place, std::move(handle), {}};
-    for (const hsize_t size : hdf5_sizes(dataset.handle.id())) {
-      if (size != 1) dataset.sizes.push_back(size);
+    if (is_bare_dimension(handle.id(), place)) return;
+    Dataset dataset{name, place, std::move(handle)};
+    const std::vector<hsize_t> sizes = hdf5_sizes(dataset.handle.id());
+    std::vector<std::vector<Hdf5Handle>> scales = hdf5_scales(dataset.handle.id(), place);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      if (sizes[i] != 1) dataset.sides.push_back({sizes[i], std::move(scales[i])});
     }
-    if (!dataset.sizes.empty()) {
+    if (!dataset.sides.empty()) {
       datasets.push_back(std::move(dataset));
       return;
     }
@@ -119,67 +189,145 @@ class ForeignReader {
   void read_datasets(std::vector<Dataset>& datasets, const Sampling& sampling,
                      const std::string& inside) {
     std::vector<Recording> recordings;
-    const std::optional<PointsAxis> axis = read_axis(datasets, sampling);
+    const std::optional<AxisBeside> axis = read_axis(datasets, sampling);
+    // Coordinates of a dimension are no channels.
+    std::erase_if(datasets, [](const Dataset& d) { return is_hdf5_scale(d.handle.id(), d.place); });
     const std::string source = file_name(path_) + (inside.empty() ? std::string{} : ":" + inside);
     for (const Dataset& dataset : datasets)
       read_dataset(recordings, source, dataset, axis, sampling);
     for (Recording& recording : recordings) {
-      check_read(recording, path_);
+      check_foreign(recording, path_, result_.warnings);
       result_.recordings.push_back(std::move(recording));
     }
   }
 
+  static std::vector<double> read_values(hid_t dataset, const std::string& place) {
+    std::vector<double> values;
+    read_hdf5_real(dataset, values, place);
+    unpack(hdf5_packing(dataset, place), values);
+    return values;
+  }
+
   /// The dataset of the points, removed from the others.
-  std::optional<PointsAxis> read_axis(std::vector<Dataset>& datasets, const Sampling& sampling) {
-    const auto take = [&](const auto& names, const Dimension& usual) -> std::optional<PointsAxis> {
+  std::optional<AxisBeside> read_axis(std::vector<Dataset>& datasets, const Sampling& sampling) {
+    const auto take = [&](const auto& names, const Dimension& usual) -> std::optional<AxisBeside> {
       std::vector<double> points;
       const auto found = std::ranges::find_if(datasets, [&](const Dataset& d) {
-        if (!is_one_of(d.name, names) || d.sizes.size() != 1) return false;
+        if (!is_one_of(d.name, names) || d.sides.size() != 1) return false;
         if (hdf5_content(d.handle.id()) != Hdf5Content::kReal) return false;
-        read_hdf5_real(d.handle.id(), points, d.place);
+        points = read_values(d.handle.id(), d.place);
         return may_be_points(d.name, points);
       });
       if (found == datasets.end()) return std::nullopt;
       const Dataset dataset = std::move(*found);
       datasets.erase(found);
-      const Dimension dimension = apply_axis_unit(
-          points, text_of(dataset.handle.id(), kUnitNames, dataset.place), usual, dataset.place);
-      return axis_of_points(std::move(points), dimension,
-                            dimension == kTime ? sampling.step : std::nullopt);
+      const hid_t id = dataset.handle.id();
+      AxisBeside axis{{}, dataset.name, addresses_of(dataset.sides[0].scales)};
+      if (is_hdf5_scale(id, dataset.place)) axis.scales.push_back(hdf5_address(id));
+      axis.points = axis_of_points(
+          {std::move(points), text_of(id, kUnitNames, dataset.place), usual, dataset.place},
+          sampling.step);
+      return axis;
     };
     auto axis = take(kTimeNames, kTime);
     return axis ? axis : take(kFrequencyNames, kFrequency);
   }
 
-  void read_dataset(std::vector<Recording>& recordings, const std::string& source,
-                    const Dataset& dataset, const std::optional<PointsAxis>& axis,
-                    Sampling sampling) {
-    if (dataset.sizes.size() > 2 || std::ranges::min(dataset.sizes) == 0) return;
-    std::optional<Axis> own;
-    if (axis && axis->points == std::ranges::max(dataset.sizes)) {
-      own = axis->axis;
-    } else if (sampling = sampling_of(dataset.handle.id(), sampling, dataset.place);
-               sampling.step) {
-      own = even_axis(sampling);
+  /// Points that a scale gives, if it is one of time or frequency; each scale is read once.
+  const std::optional<PointsAxis>& axis_of_scale(const Hdf5Handle& scale, const Sampling& sampling,
+                                                 const std::string& place) {
+    const auto [found, is_new] = scales_.try_emplace(hdf5_address(scale.id()));
+    if (!is_new) return found->second;
+    const hid_t id = scale.id();
+    std::array<char, 256> path{};
+    H5Iget_name(id, path.data(), path.size() - 1);
+    const std::string inside = fmt::format("{}:{}", path_, printable(path.data()));
+    const bool numbers = hdf5_content(id) == Hdf5Content::kReal && hdf5_sizes(id).size() == 1;
+    if (!numbers || is_bare_dimension(id, place)) return found->second;
+    const std::string unit = text_of(id, kUnitNames, inside);
+    const std::optional<Dimension> dimension = dimension_of_scale(file_name(path.data()), unit);
+    if (dimension) {
+      found->second =
+          axis_of_points({read_values(id, inside), unit, *dimension, inside}, sampling.step);
     }
-    if (!own) {
-      without_axis_.push_back(dataset.place);
+    return found->second;
+  }
+
+  static std::optional<Dimension> dimension_of_scale(const std::string& name,
+                                                     const std::string& unit) {
+    const auto is_axis = [](const Dimension& d) {
+      return d == kTime || d == kFrequency || d == kAngularFrequency;
+    };
+    const std::optional<Unit> known = find_unit(unit.substr(0, unit.find(" since ")));
+    if (!unit.empty() && known) {
+      return is_axis(known->dimension) ? std::optional(known->dimension) : std::nullopt;
+    }
+    if (is_one_of(name, kTimeNames)) return kTime;
+    if (is_one_of(name, kFrequencyNames)) return kFrequency;
+    const std::optional<Dimension> named = quantity_of_name(name);
+    return named && is_axis(*named) ? named : std::nullopt;
+  }
+
+  std::optional<AxisAlong> find_axis(const Dataset& dataset, const std::optional<AxisBeside>& axis,
+                                     Sampling sampling) {
+    for (std::size_t side = 0; side < dataset.sides.size(); ++side) {
+      for (const Hdf5Handle& scale : dataset.sides[side].scales) {
+        const auto& points = axis_of_scale(scale, sampling, dataset.place);
+        if (points && points->points == dataset.sides[side].size) {
+          return AxisAlong{points->axis, side};
+        }
+      }
+    }
+    const std::size_t longest = dataset.longest();
+    if (axis && may_share(dataset.sides[longest], *axis)) {
+      return AxisAlong{axis->points.axis, longest};
+    }
+    for (std::size_t side = 0; axis && side < dataset.sides.size(); ++side) {
+      if (may_share(dataset.sides[side], *axis)) return AxisAlong{axis->points.axis, side};
+    }
+    sampling = sampling_of(dataset.handle.id(), sampling, dataset.place);
+    if (!sampling.step) return std::nullopt;
+    const auto named = std::ranges::find_if(dataset.sides, speaks_of_time);
+    return AxisAlong{even_axis(sampling),
+                     named == dataset.sides.end()
+                         ? longest
+                         : static_cast<std::size_t>(named - dataset.sides.begin())};
+  }
+
+  void read_dataset(std::vector<Recording>& recordings, const std::string& source,
+                    const Dataset& dataset, const std::optional<AxisBeside>& axis,
+                    const Sampling& sampling) {
+    const bool empty =
+        std::ranges::find(dataset.sides, 0U, &DatasetSide::size) != dataset.sides.end();
+    if (dataset.sides.size() > 2 || empty) return;
+    const std::optional<AxisAlong> along = find_axis(dataset, axis, sampling);
+    if (!along) {
+      without_axis_.push_back({dataset.place, axis ? found_beside(dataset, *axis) : ""});
       return;
     }
-    for (Channel& channel : read_channels(dataset)) {
-      add_channel(recordings, source, *own, std::move(channel), dataset.name);
+    for (Channel& channel : read_channels(dataset, along->side)) {
+      add_channel(recordings, source, along->axis, std::move(channel), dataset.name);
     }
   }
 
-  std::vector<Channel> read_channels(const Dataset& dataset) {
+  static std::string found_beside(const Dataset& dataset, const AxisBeside& axis) {
+    const hsize_t values = dataset.sides[dataset.longest()].size;
+    if (values != axis.points.points) {
+      return fmt::format("{} of {} values for its {}", in_quotes(axis.name), axis.points.points,
+                         values);
+    }
+    return fmt::format("{}, which is that of another dimension", in_quotes(axis.name));
+  }
+
+  std::vector<Channel> read_channels(const Dataset& dataset, std::size_t along) {
     const hid_t id = dataset.handle.id();
     Channel first;
     first.name = hdf5_text(id, "channel_name", dataset.place).value_or(dataset.name);
     first.attributes = attributes_of(dataset);
     const std::string unit = text_of(id, kUnitNames, dataset.place);
     std::vector<Channel> channels;
-    if (dataset.sizes.size() == 2) {
-      channels = read_matrix(dataset, first);
+    if (dataset.sides.size() == 2) {
+      channels = read_matrix(dataset, first, along);
     } else if (hdf5_content(id) == Hdf5Content::kReal) {
       read_hdf5_real(id, first.values, dataset.place);
       channels.push_back(std::move(first));
@@ -187,22 +335,26 @@ class ForeignReader {
       read_hdf5_complex(id, first.values, first.imaginary, dataset.place);
       channels.push_back(std::move(first));
     }
+    const Hdf5Packing packing = hdf5_packing(id, dataset.place);
     for (Channel& channel : channels) {
+      unpack(packing, channel.values);
+      unpack(packing, channel.imaginary);
       apply_unit(channel, unit, dataset.place, result_.warnings);
       progress_.add(channel.values.size() + channel.imaginary.size());
     }
     return channels;
   }
 
-  std::vector<Channel> read_matrix(const Dataset& dataset, const Channel& first) {
+  /// @param along  the side of the points; each index of the other one is a channel.
+  std::vector<Channel> read_matrix(const Dataset& dataset, const Channel& first,
+                                   std::size_t along) {
     const hid_t id = dataset.handle.id();
     if (hdf5_content(id) != Hdf5Content::kReal || hdf5_sizes(id).size() != 2) {
       throw FormatError({.file = dataset.place}, "real numbers in one or two dimensions",
                         "complex ones or more dimensions", "Store each channel as a dataset.");
     }
-    std::vector<std::vector<double>> parts = dataset.sizes[0] < dataset.sizes[1]
-                                                 ? read_hdf5_rows(id, dataset.place)
-                                                 : read_hdf5_columns(id, dataset.place);
+    std::vector<std::vector<double>> parts =
+        along == 1 ? read_hdf5_rows(id, dataset.place) : read_hdf5_columns(id, dataset.place);
     std::vector<Channel> channels;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       Channel channel = first;
@@ -218,31 +370,41 @@ class ForeignReader {
     std::erase_if(attributes, [](const auto& attribute) {
       const std::string& name = attribute.first;
       return name == "channel_name" || is_one_of(name, kRateNames) || is_one_of(name, kStepNames) ||
-             is_one_of(name, kStartNames) || is_one_of(name, kUnitNames);
+             is_one_of(name, kStartNames) || is_one_of(name, kUnitNames) ||
+             is_packing_attribute(name) || name.starts_with("_Netcdf4");
     });
     return attributes;
   }
 
   [[noreturn]] void fail_without_recording() const {
-    if (without_axis_.empty()) {
-      throw FormatError({.file = path_}, "a dataset of two numbers or more", "none");
+    if (!without_axis_.empty()) {
+      throw no_sampling_rate(
+          without_axis_.front(),
+          "Add the attribute fs [Hz] to the dataset, to a group that contains it or to the file, "
+          "or a dataset 'time' [s] next to it.");
     }
-    throw FormatError({.file = without_axis_.front()}, "a sampling rate", "none",
-                      "Add the attribute fs [Hz] to the dataset, to a group that contains it or to "
-                      "the file, or a dataset 'time' [s] next to it.");
+    if (!tables_.empty()) {
+      throw FormatError({.file = tables_.front()}, "a dataset of numbers",
+                        "a table with named fields",
+                        "Store each column as a dataset of its own; pandas: to_csv.");
+    }
+    throw FormatError({.file = path_}, "a dataset of two numbers or more", "none");
   }
 
   std::string path_;
   Hdf5Progress& progress_;
   Recordings result_;
   std::set<haddr_t> visited_;
-  std::vector<std::string> without_axis_;
+  std::map<haddr_t, std::optional<PointsAxis>> scales_;  ///< by address
+  std::vector<WithoutAxis> without_axis_;
+  std::vector<std::string> tables_;  ///< places of datasets with named fields
 };
 
 }  // namespace
 
-Recordings read_foreign_hdf5(hid_t file, const std::string& path, Hdf5Progress& progress) {
-  return ForeignReader(path, progress).read(file);
+Recordings read_foreign_hdf5(hid_t file, const std::string& path, Hdf5Progress& progress,
+                             bool allow_untimed) {
+  return ForeignReader(path, progress).read(file, allow_untimed);
 }
 
 }  // namespace microslip

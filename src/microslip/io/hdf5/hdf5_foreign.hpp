@@ -34,7 +34,8 @@ class Hdf5Progress {
 };
 
 /// Recordings of a file that another program wrote, see hdf5_recording.hpp.
+/// @param allow_untimed  see RecordingReadOptions.
 [[nodiscard]] Recordings read_foreign_hdf5(hid_t file, const std::string& path,
-                                           Hdf5Progress& progress);
+                                           Hdf5Progress& progress, bool allow_untimed);
 
 }  // namespace microslip

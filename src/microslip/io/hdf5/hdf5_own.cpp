@@ -106,11 +106,12 @@ class OwnReader {
 
 }  // namespace
 
-Recordings hdf5_recordings(const std::string& path, const Progress& on_progress) {
+Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
+                           const Progress& on_progress) {
   const Hdf5Handle file = open_hdf5(path);
   Hdf5Progress progress(file.id(), on_progress);
   if (hdf5_text(file.id(), "schema", path) != kRecordingSchema) {
-    return read_foreign_hdf5(file.id(), path, progress);
+    return read_foreign_hdf5(file.id(), path, progress, allow_untimed);
   }
   Recordings result;
   OwnReader reader(path, progress);

@@ -21,7 +21,8 @@ namespace microslip {
 [[nodiscard]] std::string find_hdf5_reader();
 
 /// hdf5_recordings() there. @throws  as run_reading_process().
-[[nodiscard]] Recordings read_hdf5_recordings(const std::string& path, const Progress& progress);
+[[nodiscard]] Recordings read_hdf5_recordings(const std::string& path, bool allow_untimed,
+                                              const Progress& progress);
 
 /// hdf5_joint_samples() there. @throws  as run_reading_process().
 [[nodiscard]] RawSamples read_hdf5_joint_samples(const std::string& path);

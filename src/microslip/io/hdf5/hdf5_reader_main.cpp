@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// microslip-hdf5-reader VERSION recordings|joint_samples|matlab FILE [VARIABLE]: the program that
-// reads files of HDF5 for the library, see hdf5_reader.hpp.
+// microslip-hdf5-reader VERSION CONTENT FILE [VARIABLE], of which CONTENT is recordings,
+// untimed_recordings, joint_samples or matlab: the program that reads files of HDF5 for the
+// library, see hdf5_reader.hpp.
 
 #include <cstdio>
 #include <string>
@@ -35,9 +36,10 @@ int serve(const std::string& version, const std::string& path, const Read& read)
 }
 
 int run(const std::vector<std::string>& arguments) {
-  if (arguments.size() == 3 && arguments[1] == "recordings") {
+  const bool untimed = arguments.size() == 3 && arguments[1] == "untimed_recordings";
+  if (untimed || (arguments.size() == 3 && arguments[1] == "recordings")) {
     return serve(arguments[0], arguments[2], [&](const Progress& on_progress) {
-      return hdf5_recordings(arguments[2], on_progress);
+      return hdf5_recordings(arguments[2], untimed, on_progress);
     });
   }
   if (arguments.size() == 3 && arguments[1] == "joint_samples") {

@@ -13,7 +13,7 @@ Recordings read_recordings_hdf5(const std::string& path, const RecordingReadOpti
   if (path == "-") throw FileError("standard input", "cannot hold an HDF5 file", "Name a file.");
   (void)read_file_head(path, 1);  // says what hinders the reading better than the library does
   try {
-    return read_hdf5_recordings(path, options.progress);
+    return read_hdf5_recordings(path, options.allow_untimed, options.progress);
   } catch (const std::bad_alloc&) {
     throw FileError(path, "does not fit into memory");
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numeric>
 
@@ -81,6 +82,24 @@ hsize_t missing_chunks(hid_t dataset, hid_t properties, const std::vector<hsize_
   return expected > there ? expected - there : 0;
 }
 
+/// A filter that the library here does not have is no damage.
+void require_filters(hid_t properties, const std::string& place) {
+  const int count = H5Pget_nfilters(properties);
+  for (int i = 0; i < count; ++i) {
+    std::array<char, 64> name{};
+    unsigned flags = 0;
+    std::size_t parameters = 0;
+    const H5Z_filter_t filter =
+        H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &parameters, nullptr,
+                       name.size() - 1, name.data(), nullptr);
+    if (filter < 0 || H5Zfilter_avail(filter) > 0) continue;
+    H5Eclear2(H5E_DEFAULT);
+    throw FormatError({.file = place}, "values that are compressed by gzip, szip or not at all",
+                      fmt::format("the filter {} {}", filter, in_quotes(name.data())),
+                      "Where its plugin is installed: h5repack -f GZIP=4 IN OUT.");
+  }
+}
+
 std::optional<std::string> read_text(hid_t attribute, hid_t type) {
   const std::size_t size = H5Tget_size(type);
   if (H5Tis_variable_str(type) > 0) {
@@ -151,7 +170,12 @@ Hdf5Content hdf5_content(hid_t dataset) {
   if (is_number(type.id())) return Hdf5Content::kReal;
   if (is_complex(type.id())) return Hdf5Content::kComplex;
   if (H5Tequal(type.id(), H5T_STD_REF_OBJ) > 0) return Hdf5Content::kReferences;
-  return Hdf5Content::kOther;
+  return H5Tget_class(type.id()) == H5T_COMPOUND ? Hdf5Content::kTable : Hdf5Content::kOther;
+}
+
+bool is_single_precision(hid_t dataset) {
+  const Hdf5Handle type = type_of(dataset);
+  return type.valid() && H5Tget_class(type.id()) == H5T_FLOAT && H5Tget_size(type.id()) == 4;
 }
 
 std::size_t check_hdf5_storage(hid_t dataset, const std::string& place) {
@@ -166,6 +190,7 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place) {
     throw FormatError({.file = place}, "values in the file itself", "a link to other files",
                       "Copy them into one file, with h5repack for instance.");
   }
+  require_filters(properties.id(), place);
   const hsize_t bytes = count * H5Tget_size(type.id());
   const hsize_t stored = H5Dget_storage_size(dataset);
   const bool filtered = H5Pget_nfilters(properties.id()) > 0;
@@ -242,6 +267,22 @@ std::optional<std::string> hdf5_text(hid_t object, const char* name, const std::
 std::optional<double> hdf5_number(hid_t object, const char* name, const std::string& place) {
   if (!has_attribute(object, name, place)) return std::nullopt;
   return read_attribute(object, name, place).number;
+}
+
+std::vector<double> hdf5_numbers(hid_t object, const char* name, const std::string& place) {
+  constexpr hssize_t kMost = 4096;
+  if (!has_attribute(object, name, place)) return {};
+  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  if (!attribute.valid()) fail_hdf5(place, fmt::format("an attribute {}", in_quotes(name)));
+  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+  if (!type.valid() || !is_number(type.id()) || count < 1 || count > kMost) return {};
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, numbers.data()) < 0) {
+    fail_hdf5(place, fmt::format("the numbers {}", in_quotes(name)));
+  }
+  return numbers;
 }
 
 Attributes hdf5_attributes(hid_t object, const std::string& place) {

@@ -19,10 +19,14 @@ namespace microslip {
 /// The length along each dimension; empty for a single value and where there is none.
 [[nodiscard]] std::vector<hsize_t> hdf5_sizes(hid_t dataset);
 
-enum class Hdf5Content { kReal, kComplex, kReferences, kOther };
+enum class Hdf5Content { kReal, kComplex, kReferences, kTable, kOther };
 
-/// Values of a dataset. Complex numbers are compounds of two: `{r, i}` or `{real, imag}`.
+/// Values of a dataset; a table has named fields. Complex numbers are compounds of two: `{r, i}` or
+/// `{real, imag}`.
 [[nodiscard]] Hdf5Content hdf5_content(hid_t dataset);
+
+/// Whether its values are floating-point numbers of four bytes.
+[[nodiscard]] bool is_single_precision(hid_t dataset);
 
 /// All values of a dataset, row by row, straight into the vector.
 /// @throws FormatError  where the file holds fewer than the dataset claims, or they are damaged.
@@ -45,6 +49,10 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place);
                                                    const std::string& place);
 [[nodiscard]] std::optional<double> hdf5_number(hid_t object, const char* name,
                                                 const std::string& place);
+
+/// Numbers of an attribute of any size; none where there is no such attribute, or it is text.
+[[nodiscard]] std::vector<double> hdf5_numbers(hid_t object, const char* name,
+                                               const std::string& place);
 
 /// All attributes that are one text or one number, in the order in which they were written where
 /// the file knows it, else by name; numbers as text.

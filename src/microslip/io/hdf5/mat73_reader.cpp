@@ -99,7 +99,7 @@ class Mat73Reader {
       read_numbers(object.id(), value, place);
     } else {
       value.kind = MatValue::Kind::kOther;
-      value.other = name.empty() ? "a dataset without MATLAB_class" : "of class " + in_quotes(name);
+      value.other = name.empty() ? "a dataset without MATLAB_class" : other_class(name);
     }
     return value;
   }

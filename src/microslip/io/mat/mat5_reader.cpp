@@ -49,14 +49,19 @@ struct Tag {
   std::size_t end = 0;  ///< offset at which the element ends, with what fills it up to 8 bytes
 };
 
+/// How the end that a variable claims is taken. One that is open may come earlier when all elements
+/// are complete: libmatio counts two bytes for each letter of a text and writes one. One that is
+/// cut lies behind the end of the file by no more than a tag, which libsndfile counts twice.
+enum class VariableEnd { kFixed, kOpen, kCut };
+
 /// One variable with all that lies in it.
 class VariableReader {
  public:
-  VariableReader(MatStream& stream, bool swap, std::size_t& values)
-      : stream_(stream), swap_(swap), values_(values) {}
+  VariableReader(MatStream& stream, bool swap, std::size_t& values, VariableEnd end)
+      : stream_(stream), swap_(swap), values_(values), end_(end) {}
 
   /// @param end  where the variable ends.
-  /// @param only, name  its name is returned; its content is read unless `only` is another.
+  /// @param only, name  its name is returned; its content is left where it is if `only` is another.
   MatValue read(std::size_t end, std::optional<std::string_view> only, std::string& name) {
     only_ = only;
     return read_matrix(end, 0, &name);
@@ -85,6 +90,7 @@ class VariableReader {
 
   void need(std::size_t size, std::size_t end) const {
     if (stream_.offset() <= end && size <= end - stream_.offset()) return;
+    if (end_ == VariableEnd::kCut) stream_.fail_ended(fmt::format("{} bytes of an element", size));
     stream_.fail(fmt::format("{} bytes of an element", size),
                  "the end of the one that it is part of");
   }
@@ -156,12 +162,9 @@ class VariableReader {
     const std::string own_name = read_bytes(name_tag);
     if (!is_plain_name(own_name)) stream_.fail("a name", in_quotes(own_name));
     if (name != nullptr) *name = own_name;
-    if (name != nullptr && only_ && own_name != *only_) {
-      go_to(end);
-      return value;
-    }
+    if (name != nullptr && only_ && own_name != *only_) return value;
     read_content(value, type, (flags & mat5::kComplexFlag) != 0, end, depth);
-    if (stream_.offset() != end) {
+    if (stream_.offset() != end && !(depth == 0 && end_ != VariableEnd::kFixed)) {
       stream_.fail("the end of the variable", fmt::format("{} more bytes", end - stream_.offset()));
     }
     return value;
@@ -216,11 +219,22 @@ class VariableReader {
       value.kind = MatValue::Kind::kOther;
       value.other = type == mat5::kObjectClass     ? "an object of a class"
                     : type == mat5::kFunctionClass ? "a function handle"
-                    : type == mat5::kOpaqueClass   ? "an object of a class"
+                    : type == mat5::kOpaqueClass   ? read_class(end)
                                                    : "";
       if (value.other.empty()) stream_.fail("an array of a known class", fmt::format("{}", type));
       go_to(end);
     }
+  }
+
+  /// Of an object: which system of classes it is of, then the name of its class.
+  std::string read_class(std::size_t end) {
+    std::string name;
+    for (int i = 0; i < 2; ++i) {
+      const Tag tag = read_tag(end);
+      if (tag.type != mat5::kInt8) return "an object of a class";
+      name = read_bytes(tag);
+    }
+    return other_class(name);
   }
 
   void read_part(const MatValue& value, std::vector<double>& part, std::uint32_t type,
@@ -333,6 +347,7 @@ class VariableReader {
   MatStream& stream_;
   bool swap_;
   std::size_t& values_;
+  VariableEnd end_;
   std::optional<std::string_view> only_;
 };
 
@@ -372,7 +387,10 @@ class Mat5FileReader {
     if (type != mat5::kMatrix && type != mat5::kCompressed) {
       file_.fail("a variable", fmt::format("an element of type {}", type));
     }
-    if (size > file_.at_most()) file_.fail_ended(fmt::format("{} bytes of a variable", size));
+    constexpr std::size_t kTagSize = 8;
+    const bool cut = size > file_.at_most();
+    if (cut && (type != mat5::kMatrix || size - file_.at_most() > kTagSize))
+      file_.fail_ended(fmt::format("{} bytes of a variable", size));
     std::string name;
     MatValue value = type == mat5::kMatrix ? read_plain(size, name) : read_compressed(size, name);
     if (name.empty()) return;  // internal data of MATLAB on objects
@@ -385,8 +403,12 @@ class Mat5FileReader {
   }
 
   MatValue read_plain(std::size_t size, std::string& name) {
-    VariableReader reader(file_, swap_, values_);
-    return reader.read(file_.offset() + size, options_.only, name);
+    const bool cut = size > file_.at_most();
+    const std::size_t end = file_.offset() + std::min(size, file_.at_most());
+    VariableReader reader(file_, swap_, values_, cut ? VariableEnd::kCut : VariableEnd::kFixed);
+    MatValue value = reader.read(end, options_.only, name);
+    file_.skip(end - file_.offset());
+    return value;
   }
 
   MatValue read_compressed(std::size_t size, std::string& name) {
@@ -398,9 +420,10 @@ class Mat5FileReader {
     if (inflated > stream.at_most()) {
       stream.fail(fmt::format("{} bytes of a variable", inflated), "room for fewer");
     }
-    VariableReader reader(stream, swap_, values_);
+    VariableReader reader(stream, swap_, values_, VariableEnd::kOpen);
     MatValue value = reader.read(stream.offset() + inflated, options_.only, name);
-    stream.finish();
+    const bool whole = value.kind != MatValue::Kind::kNotRead;
+    stream.finish(whole);
     return value;
   }
 

@@ -58,8 +58,8 @@ Sampling sampling_of(MatValue& value, std::size_t element, Sampling known,
   return known;
 }
 
-/// The columns of a matrix, or its rows where they are longer, as arrays of their own.
-std::vector<MatValue> parts_of(MatValue& value) {
+/// The columns of a matrix, or its rows, as arrays of their own.
+std::vector<MatValue> parts_of(MatValue& value, bool by_row) {
   std::vector<MatValue> parts;
   if (value.is_vector()) {
     parts.push_back(std::move(value));
@@ -67,15 +67,14 @@ std::vector<MatValue> parts_of(MatValue& value) {
   }
   const std::size_t rows = value.sizes[0];
   const std::size_t columns = value.sizes[1];
-  const bool by_row = columns > rows;
   const auto take = [&](const std::vector<double>& from, std::size_t part) {
-    std::vector<double> to(from.empty() ? 0 : std::max(rows, columns));
+    std::vector<double> to(from.empty() ? 0 : (by_row ? columns : rows));
     for (std::size_t i = 0; i < to.size(); ++i) {
       to[i] = by_row ? from[i * rows + part] : from[part * rows + i];
     }
     return to;
   };
-  for (std::size_t part = 0; part < std::min(rows, columns); ++part) {
+  for (std::size_t part = 0; part < (by_row ? rows : columns); ++part) {
     MatValue& added = parts.emplace_back();
     added.kind = Kind::kNumbers;
     added.real = take(value.real, part);
@@ -90,6 +89,7 @@ struct Scope {
   std::string place;   ///< with the file's name, for messages
   Sampling sampling;
   std::optional<PointsAxis> axis;
+  std::string axis_name;           ///< of the array of its points
   std::vector<std::string> names;  ///< of channels
 };
 
@@ -130,7 +130,7 @@ bool may_be_axis(const Array& array, const Names& names) {
 }
 
 /// The array that take_axis() will take; the number of arrays where there is none.
-std::size_t find_axis(const std::vector<Array>& arrays) {
+std::size_t axis_index(const std::vector<Array>& arrays) {
   const auto find = [&](const auto& names) {
     const auto found =
         std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
@@ -144,21 +144,20 @@ std::size_t channels_of(const MatValue& value) {
   return value.is_vector() ? 1 : std::min(value.sizes[0], value.sizes[1]);
 }
 
-/// Takes the points off the arrays.
-std::optional<PointsAxis> take_axis(std::vector<Array>& arrays, const Scope& scope) {
-  const auto take = [&](const auto& names, const Dimension& usual) -> std::optional<PointsAxis> {
+/// Takes the points off the arrays, for the scope.
+void take_axis(std::vector<Array>& arrays, Scope& scope) {
+  const auto take = [&](const auto& names, const Dimension& usual) {
     const auto found =
         std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
-    if (found == arrays.end()) return std::nullopt;
-    std::vector<double> points = found->value->real;
-    const Dimension dimension = apply_axis_unit(points, found->unit, usual,
-                                                fmt::format("{}: {}", scope.place, found->name));
+    if (scope.axis || found == arrays.end()) return;
+    scope.axis_name = found->name;
+    scope.axis = axis_of_points(
+        {found->value->real, found->unit, usual, fmt::format("{}: {}", scope.place, found->name)},
+        scope.sampling.step);
     arrays.erase(found);
-    return axis_of_points(std::move(points), dimension,
-                          dimension == kTime ? scope.sampling.step : std::nullopt);
   };
-  auto axis = take(kTimeNames, kTime);
-  return axis ? axis : take(kFrequencyNames, kFrequency);
+  take(kTimeNames, kTime);
+  take(kFrequencyNames, kFrequency);
 }
 
 class Collector {
@@ -172,13 +171,16 @@ class Collector {
     scope.inside = inside;
     scope.place = inside.empty() ? path_ : path_ + ":" + inside;
     if (is_own_recording(value, element)) {
-      return keep(own_recording(value, element, scope.place));
+      Recording own = own_recording(value, element, scope.place);
+      check_read(own, path_);
+      result_.recordings.push_back(std::move(own));
+      return;
     }
     scope.sampling = sampling_of(value, element, known, scope.place);
     scope.names = mat_texts(first_field(value, element, kNamesNames));
     std::vector<Array> arrays = arrays_of(value, element);
     give_units(value, element, arrays, scope.place);
-    scope.axis = take_axis(arrays, scope);
+    take_axis(arrays, scope);
     if (!only.empty()) std::erase_if(arrays, [&](const Array& a) { return a.name != only; });
     read_arrays(arrays, scope);
     if (only.empty()) read_fields(value, element, scope);
@@ -191,6 +193,11 @@ class Collector {
     }
   }
 
+  /// Whether all that there is has no axis.
+  [[nodiscard]] bool is_untimed() const {
+    return result_.recordings.empty() && may_be_untimed(without_axis_);
+  }
+
   Recordings finish() {
     if (result_.recordings.empty()) fail_without_recording();
     warn_without_rate(without_axis_, result_.warnings);
@@ -198,14 +205,9 @@ class Collector {
   }
 
  private:
-  void keep(Recording recording) {
-    check_read(recording, path_);
-    result_.recordings.push_back(std::move(recording));
-  }
-
   void give_units(MatValue& value, std::size_t element, std::vector<Array>& arrays,
                   const std::string& place) {
-    const std::size_t axis = find_axis(arrays);
+    const std::size_t axis = axis_index(arrays);
     std::vector<UnitOfArray> units;
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       const std::size_t channels = i == axis ? 0 : channels_of(*arrays[i].value);
@@ -222,26 +224,51 @@ class Collector {
   void read_arrays(const std::vector<Array>& arrays, const Scope& scope) {
     std::vector<Recording> recordings;
     for (const Array& array : arrays) {
-      const std::size_t points = std::ranges::max(array.value->sizes);
-      std::optional<Axis> axis;
-      if (scope.axis && scope.axis->points == points) {
-        axis = scope.axis->axis;
-      } else if (scope.sampling.step) {
-        axis = even_axis(scope.sampling);
+      const std::optional<AxisAlong> along = find_axis(array, scope);
+      if (along) {
+        add_array(recordings, array, *along, scope);
       } else {
-        without_axis_.push_back(fmt::format("{}: {}", scope.place, in_quotes(array.name)));
-        continue;
+        add_without_axis(array, scope);
       }
-      add_array(recordings, array, *axis, scope);
     }
-    for (Recording& recording : recordings) keep(std::move(recording));
+    for (Recording& recording : recordings) {
+      check_foreign(recording, path_, result_.warnings);
+      result_.recordings.push_back(std::move(recording));
+    }
   }
 
-  void add_array(std::vector<Recording>& recordings, const Array& array, const Axis& axis,
+  /// The axis, and whether it lies along the rows.
+  struct AxisAlong {
+    Axis axis;
+    bool rows = false;
+  };
+
+  static std::optional<AxisAlong> find_axis(const Array& array, const Scope& scope) {
+    const std::vector<std::size_t>& sizes = array.value->sizes;
+    const bool longer = sizes[1] > sizes[0];
+    if (scope.axis) {
+      for (const bool rows : {longer, !longer}) {
+        if (sizes[rows ? 1 : 0] == scope.axis->points) return AxisAlong{scope.axis->axis, rows};
+      }
+    }
+    if (!scope.sampling.step) return std::nullopt;
+    return AxisAlong{even_axis(scope.sampling), longer};
+  }
+
+  void add_without_axis(const Array& array, const Scope& scope) {
+    WithoutAxis without{fmt::format("{}: {}", scope.place, in_quotes(array.name))};
+    if (scope.axis) {
+      without.found = fmt::format("{} of {} values for its {}", in_quotes(scope.axis_name),
+                                  scope.axis->points, std::ranges::max(array.value->sizes));
+    }
+    without_axis_.push_back(std::move(without));
+  }
+
+  void add_array(std::vector<Recording>& recordings, const Array& array, const AxisAlong& along,
                  const Scope& scope) {
     const std::string source =
         file_name(path_) + (scope.inside.empty() ? std::string{} : ":" + scope.inside);
-    std::vector<MatValue> parts = parts_of(*array.value);
+    std::vector<MatValue> parts = parts_of(*array.value, along.rows);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       Channel channel;
       channel.name = array.name;
@@ -255,7 +282,7 @@ class Collector {
       const bool listed = array.unit.empty() && i < array.units.size();
       const std::string& unit = listed ? array.units[i] : array.unit;
       apply_unit(channel, unit, scope.place, result_.warnings);
-      add_channel(recordings, source, axis, std::move(channel), array.name);
+      add_channel(recordings, source, along.axis, std::move(channel), array.name);
     }
   }
 
@@ -266,6 +293,9 @@ class Collector {
       MatValue* field = field_at(value, element, index);
       if (field == nullptr) continue;
       const std::string inside = scope.inside.empty() ? name : scope.inside + "." + name;
+      if (field->kind == Kind::kOther) {
+        others_.emplace_back(fmt::format("{}:{}", path_, inside), describe(*field));
+      }
       if (field->kind == Kind::kStruct && !is_channels(*field)) {
         read_elements(*field, scope.sampling, inside);
       }
@@ -279,28 +309,36 @@ class Collector {
   }
 
   [[noreturn]] void fail_without_recording() const {
-    if (without_axis_.empty()) {
-      throw FormatError({.file = path_}, "a vector of two numbers or more", "none");
+    if (!without_axis_.empty()) {
+      throw no_sampling_rate(without_axis_.front(),
+                             "Add a variable fs [Hz], or a vector time [s], to the struct or to "
+                             "the top of the file.");
     }
-    throw FormatError({.file = without_axis_.front()}, "a sampling rate", "none",
-                      "Add a variable fs [Hz], or a vector time [s], to the struct or to the top "
-                      "of the file.");
+    if (!others_.empty()) {
+      throw FormatError({.file = others_.front().first}, "vectors of numbers",
+                        others_.front().second,
+                        "Only MATLAB reads it. There, save its variables as vectors: "
+                        "s = struct('time', seconds(T.Time), 'x', T.x); save('name.mat', "
+                        "'-struct', 's'); or writetimetable(T, 'name.csv'), writetable.");
+    }
+    throw FormatError({.file = path_}, "a vector of two numbers or more", "none");
   }
 
   std::string path_;
   Recordings result_;
-  std::vector<std::string> without_axis_;
+  std::vector<WithoutAxis> without_axis_;
+  std::vector<std::pair<std::string, std::string>> others_;  ///< places and what lies there
 };
 
 }  // namespace
 
-Recordings recordings_of(MatValue& root, std::string_view variable, const std::string& path) {
-  Collector collector(path);
-  if (variable.empty()) {
-    collector.read_struct(root, 0, {}, {});
-    return collector.finish();
-  }
-  const Sampling known = sampling_of(root, 0, {}, path);
+namespace {
+
+/// What is asked for, over points as far as they are known.
+void collect(Collector& collector, MatValue& root, std::string_view variable,
+             const std::string& path, const Sampling& outside) {
+  if (variable.empty()) return collector.read_struct(root, 0, outside, {});
+  const Sampling known = sampling_of(root, 0, outside, path);
   const MatPlace place = follow(root, variable, path);
   if (place.value->kind == Kind::kStruct && place.element) {
     collector.read_struct(*place.value, *place.element, known, std::string(variable));
@@ -317,7 +355,20 @@ Recordings recordings_of(MatValue& root, std::string_view variable, const std::s
     throw InputError(fmt::format("{}: {}", path, in_quotes(variable, 200)), describe(*place.value),
                      "must be a struct or a vector");
   }
-  return collector.finish();
+}
+
+}  // namespace
+
+Recordings recordings_of(MatValue& root, std::string_view variable, const std::string& path,
+                         bool allow_untimed) {
+  Collector collector(path);
+  collect(collector, root, variable, path, {});
+  if (!allow_untimed || !collector.is_untimed()) return collector.finish();
+  Collector untimed(path);
+  collect(untimed, root, variable, path, {.step = 1.0});
+  Recordings recordings = untimed.finish();
+  recordings.warnings.push_back(points_untimed(path));
+  return recordings;
 }
 
 }  // namespace microslip

@@ -133,7 +133,7 @@ Recordings read_recordings_mat(const std::string& path, std::string_view variabl
                                const RecordingReadOptions& options) {
   MatTree tree = read_mat_tree(
       path, {.allow_truncated = options.allow_truncated, .progress = options.progress});
-  Recordings result = recordings_of(tree.root, variable, path);
+  Recordings result = recordings_of(tree.root, variable, path, options.allow_untimed);
   if (tree.truncated) {
     result.warnings.push_back(
         {"file_truncated", path + ": ends within a variable, which is left out; copy it again"});

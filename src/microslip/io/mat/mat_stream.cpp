@@ -104,9 +104,10 @@ std::size_t MatInflateStream::read_some(char* to, std::size_t size) {
   return size - state_.avail_out;
 }
 
-void MatInflateStream::finish() {
+void MatInflateStream::finish(bool must_have_ended) {
   char more = 0;
-  if (!ended_ && read_some(&more, 1) != 0) fail("the end of the variable", "more bytes");
+  if (must_have_ended && !ended_ && read_some(&more, 1) != 0)
+    fail("the end of the variable", "more bytes");
   file_.skip(compressed_);
 }
 

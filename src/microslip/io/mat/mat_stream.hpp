@@ -79,8 +79,9 @@ class MatInflateStream : public MatStream {
 
   [[nodiscard]] std::size_t at_most() const override;
 
-  /// Checks that nothing follows, and the checksum of the whole.
-  void finish();
+  /// Goes behind the compressed data. @param must_have_ended  checks that nothing follows what was
+  /// read, and the checksum of the whole.
+  void finish(bool must_have_ended);
   /// Goes on to the end of the element in the file.
   void abandon() { file_.skip(compressed_); }
 

@@ -25,9 +25,9 @@ struct Line {
 };
 
 /// ulp(t) for values that rise: a power of ten is only computed when t enters another decade.
-class Resolution {
+class PrintedResolution {
  public:
-  Resolution(const PrintedDigits& digits, double factor)
+  PrintedResolution(const PrintedDigits& digits, double factor)
       : factor_(factor),
         significant_(digits.significant),
         fixed_(std::pow(10.0, -digits.decimals)) {}
@@ -58,6 +58,22 @@ class Resolution {
   double ulp_ = 0.0;
 };
 
+/// ulp(t) of numbers in single precision.
+class SingleResolution {
+ public:
+  explicit SingleResolution(double factor) : factor_(factor) {}
+
+  double operator()(double value) const {
+    constexpr int kDigits = std::numeric_limits<float>::digits;
+    if (value == 0.0) return std::numeric_limits<float>::denorm_min() * factor_;
+    return std::ldexp(factor_, std::ilogb(value / factor_) + 1 - kDigits);
+  }
+
+ private:
+  double factor_;
+};
+
+template <class Resolution>
 bool explains(const Line& line, std::span<const double> values, Resolution resolution) {
   // Doubles of the printed numbers and of start + i·step are rounded themselves.
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
@@ -103,6 +119,7 @@ std::optional<double> whole_rate_step(double step) {
   return 1.0 / whole;
 }
 
+template <class Resolution>
 std::optional<Line> even_line(std::span<const double> values, const Dimension& dimension,
                               const Resolution& resolution) {
   const Line ends = through_ends(values);
@@ -119,6 +136,18 @@ std::optional<Line> even_line(std::span<const double> values, const Dimension& d
     if (explains(line, values, resolution)) return line;
   }
   return std::nullopt;
+}
+
+template <class Resolution>
+Axis axis_of(std::vector<double> values, const Dimension& dimension, const Resolution& resolution) {
+  Axis axis{.dimension = dimension, .start = 0.0, .step = 0.0, .values = {}};
+  if (const std::optional<Line> line = even_line(values, dimension, resolution)) {
+    axis.start = line->start;
+    axis.step = line->step;
+  } else {
+    axis.values = std::move(values);
+  }
+  return axis;
 }
 
 }  // namespace
@@ -148,15 +177,11 @@ void PrintedDigits::add(std::string_view number) {
 }
 
 Axis axis_from_printed(std::vector<double> values, const Unit& unit, const PrintedDigits& digits) {
-  Axis axis{.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = {}};
-  const Resolution resolution(digits, unit.factor());
-  if (const std::optional<Line> line = even_line(values, unit.dimension, resolution)) {
-    axis.start = line->start;
-    axis.step = line->step;
-  } else {
-    axis.values = std::move(values);
-  }
-  return axis;
+  return axis_of(std::move(values), unit.dimension, PrintedResolution(digits, unit.factor()));
+}
+
+Axis axis_from_singles(std::vector<double> values, const Unit& unit) {
+  return axis_of(std::move(values), unit.dimension, SingleResolution(unit.factor()));
 }
 
 }  // namespace microslip

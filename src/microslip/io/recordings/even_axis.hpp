@@ -33,4 +33,10 @@ struct PrintedDigits {
 [[nodiscard]] Axis axis_from_printed(std::vector<double> values, const Unit& unit,
                                      const PrintedDigits& digits);
 
+/// The same for values that were stored in single precision, each off by half a unit in its last
+/// place: ulp(t) = 2^(⌊log2|t|⌋ − 23).
+/// @param values  in SI, rising, two at least.
+/// @param unit    in which they were stored.
+[[nodiscard]] Axis axis_from_singles(std::vector<double> values, const Unit& unit);
+
 }  // namespace microslip

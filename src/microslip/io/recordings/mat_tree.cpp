@@ -64,6 +64,10 @@ std::string checked_sparse(MatValue& value) {
   return {};
 }
 
+std::string other_class(std::string_view name) {
+  return "an object of the class " + in_quotes(name);
+}
+
 std::string list_of_names(const std::vector<std::string>& names) {
   constexpr std::size_t kMost = 12;
   std::string list;

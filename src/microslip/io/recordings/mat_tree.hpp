@@ -46,6 +46,10 @@ struct MatValue {
 /// Numbers beyond the last column are unused space of the writer, and are removed.
 [[nodiscard]] std::string checked_sparse(MatValue& value);
 
+/// What a value of a class is called that only MATLAB itself reads: "an object of the class
+/// 'timetable'".
+[[nodiscard]] std::string other_class(std::string_view name);
+
 /// "'a', 'b'", cut after a dozen.
 [[nodiscard]] std::string list_of_names(const std::vector<std::string>& names);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -22,6 +23,7 @@
 #include "microslip/io/cells/csv_cells.hpp"
 #include "microslip/io/recordings/even_axis.hpp"
 #include "microslip/io/recordings/recording_csv_header.hpp"
+#include "microslip/io/recordings/table_start.hpp"
 
 namespace microslip {
 namespace {
@@ -71,7 +73,10 @@ class CsvRecordingReader {
     end_ = text.data() + text.size();
     scanner_ = CellScanner(text, file_.name(), header_.separator(), blocks_.first_line());
     const char* p = text.data();
-    if (blocks_.first_line() == 1 && text.starts_with(kByteOrderMark)) p += kByteOrderMark.size();
+    if (blocks_.first_line() == 1) {
+      if (text.starts_with(kByteOrderMark)) p += kByteOrderMark.size();
+      table_ = find_table_start(text);
+    }
     while (p != end_) p = read_line(p);
   }
 
@@ -100,7 +105,10 @@ class CsvRecordingReader {
     const std::string_view rest(p, static_cast<std::size_t>(end_ - p));
     const std::string_view line = rest.substr(0, rest.find('\n'));
     const std::size_t number = scanner_->place(p).line;
-    if (!header_.has_names()) {
+    const bool above = !table_.preamble.empty() && p < blocks_.text().data() + table_.header;
+    if (!header_.has_names() && above && blocks_.first_line() == 1) {
+      header_.add_preamble(line);
+    } else if (!header_.has_names()) {
       header_.read_names(line, number);
     } else {
       const bool units = header_.read_units(line, number);
@@ -112,9 +120,10 @@ class CsvRecordingReader {
 
   /// The header is known as a whole.
   void start_rows() {
-    header_.resolve(options_.assumed_units);
+    header_.resolve(options_.assumed_units, options_.allow_untimed, warnings_);
     header_resolved_ = true;
     values_.resize(header_.columns().size());
+    left_out_.resize(header_.columns().size());
     if (header_.separator() == ',') decimal_ = Decimal::kPoint;
     scanner_ = CellScanner(blocks_.text(), file_.name(), header_.separator(), blocks_.first_line());
   }
@@ -174,9 +183,13 @@ class CsvRecordingReader {
   /// Appends a number to its column; returns where the cell ends.
   const char* read_cell(const char* p, std::size_t column) {
     const char* begin = scanner_->skip_blanks(p);
+    if (left_out_[column]) return scanner_->scan(begin).next;
     double printed = 0.0;
     const char* next = decimal_ == Decimal::kUnknown ? nullptr : read_common_cell(begin, printed);
-    if (next == nullptr) next = read_other_cell(begin, column, printed);
+    if (next == nullptr) {
+      next = read_other_cell(begin, column, printed);
+      if (left_out_[column]) return next;
+    }
     const double value = header_.columns()[column].unit.to_si(printed);
     if (!std::isfinite(value)) throw_no_number(begin, column);
     if (column == header_.axis()) add_to_axis(begin, next, value);
@@ -215,13 +228,28 @@ class CsvRecordingReader {
     std::optional<double> number;
     if (decimal_ != Decimal::kComma) number = parse_number(text);
     if (!number && decimal_ != Decimal::kPoint) number = parse_comma_number(text);
-    if (!number) throw_no_number(p, column);
+    if (!number) {
+      if (!may_be_left_out(text, column)) throw_no_number(p, column);
+      left_out_[column] = no_number(p, column);
+      std::vector<double>().swap(values_[column]);
+      return cell.next;
+    }
     if (decimal_ == Decimal::kUnknown) {
       if (text.find('.') != std::string_view::npos) decimal_ = Decimal::kPoint;
       if (text.find(',') != std::string_view::npos) decimal_ = Decimal::kComma;
     }
     value = *number;
     return cell.next;
+  }
+
+  /// A column of text, of dates, or with cells without a value is no channel: one whose first cell
+  /// is none, or is empty or stands for nothing where others are numbers.
+  [[nodiscard]] bool may_be_left_out(std::string_view text, std::size_t column) const {
+    constexpr std::array<std::string_view, 16> kNothing{
+        "",    "-",    "--",   "---",  "NAN",  "NA", "N/A",      "#N/A",
+        "INF", "-INF", "+INF", "NULL", "NONE", "OL", "OVERLOAD", "#DIV/0!"};
+    if (row_is_cut_ || column == header_.axis()) return false;
+    return rows_ == 0 || std::ranges::find(kNothing, in_capitals(text)) != kNothing.end();
   }
 
   void add_to_axis(const char* begin, const char* end, double value) {
@@ -254,6 +282,10 @@ class CsvRecordingReader {
   }
 
   [[noreturn]] void throw_no_number(const char* p, std::size_t column) const {
+    throw no_number(p, column);
+  }
+
+  [[nodiscard]] FormatError no_number(const char* p, std::size_t column) const {
     const RawCell cell = scanner_->scan(p);
     const std::string_view text = cell.view();
     std::string_view remedy = remedy_for_cell(text);
@@ -264,9 +296,9 @@ class CsvRecordingReader {
     } else if (row_is_cut_) {
       remedy = "If the file was truncated there, `allow_truncated` leaves out this row.";
     }
-    throw FormatError(scanner_->place(cell.begin),
-                      fmt::format("a finite number in {}", header_.label(column)),
-                      text.empty() ? "an empty cell" : in_quotes(text), remedy);
+    return {scanner_->place(cell.begin),
+            fmt::format("a finite number in {}", header_.label(column)),
+            text.empty() ? "an empty cell" : in_quotes(text), remedy};
   }
 
   // ---- The whole. ----
@@ -303,8 +335,9 @@ class CsvRecordingReader {
       recording.axis.step = 1.0 / *header_.sampling_rate();
     }
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      if (i != header_.axis()) add_channel(recording, i);
+      if (i != header_.axis() && !left_out_[i]) add_channel(recording, i);
     }
+    leave_out(recording);
     distribute_attributes(recording);
     check_recording(recording);
     Recordings recordings{.recordings = {}, .warnings = std::move(warnings_)};
@@ -336,11 +369,24 @@ class CsvRecordingReader {
         return;
       }
     }
-    recording.channels.push_back({.name = column.name,
-                                  .dimension = column.dimension,
-                                  .values = std::move(values_[i]),
-                                  .imaginary = {},
-                                  .attributes = {}});
+    Channel& channel = recording.channels.emplace_back();
+    channel.name = column.name;
+    channel.dimension = column.dimension;
+    channel.values = std::move(values_[i]);
+    if (!column.unknown_unit.empty()) channel.attributes.emplace_back("unit", column.unknown_unit);
+  }
+
+  /// Says which columns are no channels. @throws FormatError  where none is one.
+  void leave_out(Recording& recording) {
+    for (std::size_t i = 0; i < left_out_.size(); ++i) {
+      if (!left_out_[i]) continue;
+      if (recording.channels.empty()) throw FormatError(*left_out_[i]);
+      const std::string& name = header_.columns()[i].name;
+      const std::string reason = left_out_[i]->what();
+      recording.left_out.push_back({name, reason});
+      warnings_.push_back({"channel_left_out", fmt::format("{}: channel {} is left out: {}",
+                                                           file_.name(), in_quotes(name), reason)});
+    }
   }
 
   static std::string_view without(std::string_view name, std::string_view mark) {
@@ -378,12 +424,27 @@ class CsvRecordingReader {
   std::optional<CellScanner> scanner_;  ///< of the block
   const char* end_ = nullptr;           ///< of the block
   std::size_t rows_ = 0;
-  std::vector<std::vector<double>> values_;  ///< by column, in SI
-  PrintedDigits digits_;                     ///< of the axis
+  std::vector<std::vector<double>> values_;           ///< by column, in SI
+  std::vector<std::optional<FormatError>> left_out_;  ///< by column, why it is no channel
+  TableStart table_;                                  ///< of the first block
+  PrintedDigits digits_;                              ///< of the axis
   std::vector<Warning> warnings_;
 };
 
 }  // namespace
+
+std::vector<CsvColumn> recording_columns(std::string_view head) {
+  if (!signature(head).empty()) return {};
+  const TableStart start = find_table_start(head);
+  RecordingCsvHeader header("");
+  try {
+    header.read_names(start.names, 1);
+    (void)header.read_units(start.below, 2);
+  } catch (const FormatError&) {
+    return {};
+  }
+  return header.columns_as_written();
+}
 
 Recordings read_recordings_csv(const std::string& path, const RecordingReadOptions& options) {
   InputStream file(path);

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "microslip/io/cells/csv_column.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -11,11 +14,16 @@
 ///
 /// Form: UTF-8 with or without byte order mark, or CP1252; lines end in LF or CRLF. Lines that
 /// begin with `#`, `%` or `//` are comments and may stand anywhere, blank lines too. The first
-/// other line is the header: a cell a column, `name [unit]` or `name (unit)`. Units may stand on a
-/// line of their own below it instead, with or without brackets. A column without unit, or with
-/// empty brackets, is a channel without dimension. The separator is the first of `;` `,` tab that
-/// the header has. Below, each row has a finite number a column, with a decimal point, or, between
-/// `;` or tabs, a decimal comma throughout; cells may be quoted and one separator may end a line.
+/// other line is the header: a cell a column, `name [unit]` or `name (unit)`. Lines above it that
+/// are no comments are taken for such where two rows of numbers of as many cells as the header
+/// follow it (table_start.hpp). Units may stand on a line of their own below it instead, with or
+/// without brackets. A column without unit, with empty brackets or an unknown unit is a channel
+/// without dimension; the unknown unit is its attribute `unit`. Columns of one name are called by
+/// their units, `name (unit)`, else by their numbers. The separator is the first of `;` `,` tab
+/// that the header has. Below, each row has a finite number a column, with a decimal point, or,
+/// between `;` or tabs, a decimal comma throughout; cells may be quoted and one separator may end a
+/// line. A column whose first cell is no number, or one of whose cells is empty or `NaN`, `inf`,
+/// `N/A`, `-` and the like, is left out with a warning.
 ///
 /// The axis is the first column with a unit of time or frequency, or called time, t, frequency or
 /// freq (in capitals or not); one without unit is refused unless its unit is assumed. Its values
@@ -32,6 +40,10 @@ namespace microslip {
 
 class InputStream;
 
+/// The columns of a recording of which only the beginning is given, whole lines; their units may
+/// stand on a line of their own, and other lines above. Empty where it is none.
+[[nodiscard]] std::vector<CsvColumn> recording_columns(std::string_view head);
+
 /// Reads the file from front to end, in pieces: beside the values there is no more than a few MiB
 /// in memory.
 /// @param path     "-" is standard input.
@@ -39,9 +51,9 @@ class InputStream;
 /// @throws FileError    where the file cannot be read.
 /// @throws FormatError  naming the place, where it is not of the form above: empty, binary, without
 ///                      header, rows, a channel or an axis; a row with more or fewer cells than
-///                      the header, a cell that is no finite number, an unknown unit, two columns
-///                      of one name, times that do not rise. A file that was cut within a row is
-///                      read as far as it is whole where the options allow that.
+///                      the header, a cell that is no finite number, columns without any, a time
+///                      of unknown unit, times that do not rise. A file that was cut within a row
+///                      is read as far as it is whole where the options allow that.
 /// @throws InputError   where a unit is assumed for an axis that has one.
 /// @throws Cancelled    where the progress callback says so.
 [[nodiscard]] Recordings read_recordings_csv(const std::string& path,

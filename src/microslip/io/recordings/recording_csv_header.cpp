@@ -8,11 +8,13 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "microslip/io/bytes/character_set.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/csv_cells.hpp"
+#include "microslip/io/recordings/sampling.hpp"
 
 namespace microslip {
 namespace {
@@ -73,6 +75,16 @@ std::string_view without_brackets(std::string_view text) {
   return is_bracketed(text) ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
+/// A line of several columns with nothing but blanks between them.
+void check_separator(std::string_view text, const TextPlace& place) {
+  const std::size_t close = text.find_first_of("])");
+  const bool goes_on = close != std::string_view::npos && !trimmed(text.substr(close + 1)).empty();
+  if (!goes_on && trimmed(text).find("  ") == std::string_view::npos) return;
+  throw FormatError(place, "columns separated by commas, semicolons or tabs",
+                    fmt::format("blanks between them, {}", in_quotes(text)),
+                    "Replace each run of blanks by one comma, but not those in front of a unit.");
+}
+
 /// The place of what begins behind `passed`, which begins at `known`.
 TextPlace place_behind(const TextPlace& known, std::string_view passed) {
   TextPlace place = place_at(passed, passed.size(), known.file);
@@ -93,6 +105,22 @@ void RecordingCsvHeader::add_comment(std::string_view text) {
   const auto& [name, value] = *attribute;
   attributes_.emplace_back(name, value);
   if (is_rate_name(name) && !rate_) rate_ = parse_rate(value);
+}
+
+std::vector<CsvColumn> RecordingCsvHeader::columns_as_written() const {
+  std::vector<CsvColumn> columns;
+  for (const Cell& cell : cells_) columns.push_back(cell.column);
+  return columns;
+}
+
+void RecordingCsvHeader::add_preamble(std::string_view line) {
+  const std::size_t last = line.find_last_not_of(";,\t\r ");
+  std::string text(line.substr(0, last == std::string_view::npos ? 0 : last + 1));
+  const std::size_t separator = text.find_first_of(";\t,");
+  const bool pair = separator != std::string::npos && text.find_first_of(":=") >= separator;
+  if (pair) text.replace(separator, 1, ": ");  // name and value in cells of their own
+  std::erase(text, '"');
+  add_comment(text);
 }
 
 std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string_view line,
@@ -126,6 +154,7 @@ void RecordingCsvHeader::read_names(std::string_view line, std::size_t number) {
                       fmt::format("a header such as {}", kExampleRecordingHeader),
                       "a row of numbers", "Add a first line that names each column with its unit.");
   }
+  if (cells_.size() == 1) check_separator(cells_.front().column.name, cells_.front().place);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const std::string text = cells_[i].column.name;
     const std::optional<CsvColumn> column = parse_column(text, true);
@@ -134,25 +163,36 @@ void RecordingCsvHeader::read_names(std::string_view line, std::size_t number) {
                         fmt::format("'name [unit]' as the header of column {}", i + 1),
                         in_quotes(text));
     }
-    if (column->name.empty()) {
-      throw FormatError(cells_[i].place, fmt::format("a name for column {}", i + 1),
-                        text.empty() ? "an empty cell" : in_quotes(text));
-    }
     cells_[i].column = *column;
+    if (column->name.empty()) cells_[i].column.name = fmt::format("column {}", i + 1);
   }
-  check_names();
 }
 
-void RecordingCsvHeader::check_names() const {
-  std::map<std::string_view, std::size_t> seen;
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const std::string& name = cells_[i].column.name;
-    const auto [first, is_new] = seen.emplace(name, i);
-    if (is_new) continue;
-    throw FormatError(
-        cells_[i].place, "columns with different names",
-        fmt::format("{} as column {} and as column {}", in_quotes(name), first->second + 1, i + 1),
-        "Rename or remove one of them.");
+void RecordingCsvHeader::tell_names_apart(std::vector<Warning>& warnings) {
+  std::map<std::string, std::vector<std::size_t>> columns;
+  for (std::size_t i = 0; i < cells_.size(); ++i) columns[cells_[i].column.name].push_back(i);
+  std::set<std::string> taken;
+  for (const auto& [name, indices] : columns) {
+    if (indices.size() == 1) taken.insert(name);
+  }
+  for (const auto& [name, indices] : columns) {
+    for (std::size_t k = 0; indices.size() > 1 && k < indices.size(); ++k) {
+      CsvColumn& column = cells_[indices[k]].column;
+      const std::string by_unit = fmt::format("{} ({})", name, column.unit.value_or(""));
+      const bool has_unit = column.unit && !column.unit->empty();
+      if (has_unit && taken.insert(by_unit).second) {
+        column.name = by_unit;
+        continue;
+      }
+      if (k == 0 && taken.insert(name).second) continue;
+      column.name = fmt::format("{} (column {})", name, indices[k] + 1);
+      while (!taken.insert(column.name).second) column.name += '\'';
+      warnings.push_back(
+          {"columns_of_one_name",
+           fmt::format("{}: columns {} and {} are both called {}; the latter is called {} here",
+                       place_text(cells_[indices[k]].place), indices[0] + 1, indices[k] + 1,
+                       in_quotes(name), in_quotes(column.name))});
+    }
   }
 }
 
@@ -177,20 +217,30 @@ bool RecordingCsvHeader::read_units(std::string_view line, std::size_t number) {
   return true;
 }
 
-RecordingColumn RecordingCsvHeader::resolve_column(std::size_t i) const {
+RecordingColumn RecordingCsvHeader::resolve_column(std::size_t i,
+                                                   std::vector<Warning>& warnings) const {
   const auto& [name, unit_text] = cells_[i].column;
   RecordingColumn column{.name = name, .unit = {}, .dimension = {}};
   if (!unit_text || unit_text->empty()) return column;
-  const std::optional<Unit> unit = find_unit(*unit_text);
-  if (!unit) {
-    const std::optional<Dimension> axis = axis_dimension(name);
-    throw FormatError(
-        cells_[i].place, fmt::format("a unit for column {} {}", i + 1, in_quotes(name)),
-        fmt::format("the unknown unit {}", in_quotes(*unit_text)),
-        fmt::format("Usual units: {}.", axis ? usual_units(*axis) : std::string(kUsualUnits)));
+  if (const std::optional<Unit> unit = find_unit(*unit_text)) {
+    column.unit = *unit;
+    column.dimension = unit->dimension;
+    return column;
   }
-  column.unit = *unit;
-  column.dimension = unit->dimension;
+  if (const std::optional<Dimension> axis = axis_dimension(name)) {
+    throw FormatError(cells_[i].place,
+                      fmt::format("a unit for column {} {}", i + 1, in_quotes(name)),
+                      fmt::format("the unknown unit {}", in_quotes(*unit_text)),
+                      fmt::format("Usual units: {}.", usual_units(*axis)));
+  }
+  column.unknown_unit = *unit_text;
+  if (is_other_unit(*unit_text)) return column;
+  warnings.push_back(
+      {"unit_unknown",
+       fmt::format("{}: column {} {} is in {}, an unknown unit; it is treated as without unit. "
+                   "Usual units: {}",
+                   place_text(cells_[i].place), i + 1, in_quotes(name), in_quotes(*unit_text),
+                   kUsualUnits)});
   return column;
 }
 
@@ -201,12 +251,27 @@ bool RecordingCsvHeader::is_axis(std::size_t i) const {
   return dimension == kTime || (dimension == kFrequency && !rate_);
 }
 
-void RecordingCsvHeader::resolve(const AssumedUnits& assumed) {
-  for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i));
-  for (std::size_t i = 0; i < columns_.size() && !axis_; ++i) {
-    if (is_axis(i)) axis_ = i;
+/// A time without unit gives way to one that has a unit: it may be that of a clock.
+std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& assumed) const {
+  std::optional<std::size_t> without_unit;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!is_axis(i)) continue;
+    if (columns_[i].dimension || assumed.find(columns_[i].name)) return i;
+    if (!without_unit) without_unit = i;
   }
+  return without_unit;
+}
+
+void RecordingCsvHeader::resolve(const AssumedUnits& assumed, bool allow_untimed,
+                                 std::vector<Warning>& warnings) {
+  tell_names_apart(warnings);
+  for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i, warnings));
+  axis_ = find_axis(assumed);
   if (axis_) resolve_axis(assumed);
+  if (!axis_ && !rate_ && allow_untimed && cells_.size() > 1) {
+    rate_ = 1.0;
+    warnings.push_back(points_untimed(file_));
+  }
   if (!axis_ && !rate_) throw_no_axis();
   if (axis_ && columns_.size() < 2) {
     throw FormatError(cells_.front().place, "a column in addition to the axis",
@@ -246,7 +311,8 @@ void RecordingCsvHeader::throw_no_axis() const {
   throw FormatError(cells_.front().place, "a column of time such as 'time [s]'",
                     fmt::format("the columns {}", in_quotes(names, 120)),
                     cells_.size() == 1
-                        ? "Is this line the header? Lines above it begin with '#'."
+                        ? "Is this line the header? Lines above it begin with '#'. Columns are "
+                          "separated by commas, semicolons or tabs."
                         : "Name it with its unit, or give the rate in a comment line such as "
                           "'# sampling_rate: 8192 Hz'.");
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/base/summary.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
 #include "microslip/io/tables/csv.hpp"
@@ -25,6 +26,7 @@ struct RecordingColumn {
   std::string name;
   Unit unit;                           ///< 1 where it has none
   std::optional<Dimension> dimension;  ///< nothing where it has none
+  std::string unknown_unit = {};       ///< as in the file, where it is none that is known
 };
 
 /// Lines above the rows of a recording: comments, names, units.
@@ -35,8 +37,12 @@ class RecordingCsvHeader {
   /// A comment line without its mark; an attribute in UTF-8.
   void add_comment(std::string_view text);
 
-  /// The line of names. @param number  of the line.
-  /// @throws FormatError  where a cell has no name, has it twice, or all are numbers.
+  /// A line above the table that is no comment; its cells are as one, empty ones at its end left
+  /// out.
+  void add_preamble(std::string_view line);
+
+  /// The line of names; a column without one is called by its number. @param number  of the line.
+  /// @throws FormatError  where all cells are numbers, or columns are separated by blanks.
   void read_names(std::string_view line, std::size_t number);
 
   /// The first line below it. False where that is no line of units: some names have units already,
@@ -44,11 +50,16 @@ class RecordingCsvHeader {
   /// @throws FormatError  where it is one with more or fewer cells than the line of names.
   bool read_units(std::string_view line, std::size_t number);
 
-  /// When both lines have been read, if the second is there.
-  /// @throws FormatError  where a unit is unknown, the axis has none, or there is no axis or
+  /// When both lines have been read, if the second is there. Columns of one name are told apart by
+  /// their units, else by their numbers.
+  /// @param warnings  on units that are not known, and on names that were changed.
+  /// @throws FormatError  where the unit of the axis is unknown or missing, or there is no axis or
   ///                      nothing beside it.
-  void resolve(const AssumedUnits& assumed);
+  /// @param allow_untimed  see RecordingReadOptions.
+  void resolve(const AssumedUnits& assumed, bool allow_untimed, std::vector<Warning>& warnings);
 
+  /// Names and units of the columns, as far as they have been read.
+  [[nodiscard]] std::vector<CsvColumn> columns_as_written() const;
   [[nodiscard]] bool has_names() const { return !cells_.empty(); }
   [[nodiscard]] char separator() const { return separator_; }
   [[nodiscard]] const std::vector<RecordingColumn>& columns() const { return columns_; }
@@ -67,8 +78,10 @@ class RecordingCsvHeader {
   };
 
   [[nodiscard]] std::vector<Cell> read_cells(std::string_view line, std::size_t number) const;
-  void check_names() const;
-  [[nodiscard]] RecordingColumn resolve_column(std::size_t column) const;
+  void tell_names_apart(std::vector<Warning>& warnings);
+  [[nodiscard]] RecordingColumn resolve_column(std::size_t column,
+                                               std::vector<Warning>& warnings) const;
+  [[nodiscard]] std::optional<std::size_t> find_axis(const AssumedUnits& assumed) const;
   [[nodiscard]] bool is_axis(std::size_t column) const;
   void resolve_axis(const AssumedUnits& assumed);
   [[noreturn]] void throw_no_axis() const;

@@ -21,6 +21,10 @@ struct RecordingReadOptions {
   /// Read what a file has where it ends before all that it announces, with a warning. Otherwise
   /// that is an error.
   bool allow_truncated = false;
+  /// Where nothing in a file tells over what its values are, take its points to be 1 s apart, with
+  /// a warning: for what depends on their order alone, as dry friction does. Otherwise that is an
+  /// error.
+  bool allow_untimed = false;
   /// Bytes done of all bytes.
   Progress progress = {};
   /// For what the file gives no unit. read_recordings() gives them to the channels, whatever the

@@ -10,6 +10,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/recordings/doubtful_unit.hpp"
+#include "microslip/io/recordings/even_axis.hpp"
 
 namespace microslip {
 namespace {
@@ -30,6 +31,23 @@ bool lies_evenly(const std::vector<double>& points, double step, double toleranc
 void scale(std::vector<double>& values, const Unit& unit) {
   if (unit.numerator == 1.0 && unit.denominator == 1.0) return;
   for (double& value : values) value = unit.to_si(value);
+}
+
+bool are_singles(const std::vector<double>& points) {
+  return std::ranges::all_of(points, [](double v) {
+    const bool in_range = std::abs(v) <= static_cast<double>(std::numeric_limits<float>::max());
+    return in_range && static_cast<double>(static_cast<float>(v)) == v;
+  });
+}
+
+/// CF Conventions, section 4.4: a time is counted from a date.
+Unit unit_of_axis(const PointsInFile& file) {
+  const std::string_view text = trimmed(
+      std::string_view(file.unit).substr(0, std::min(file.unit.find(" since "), file.unit.size())));
+  if (text.empty()) return Unit{.dimension = file.usual};
+  if (const std::optional<Unit> found = find_unit(text)) return *found;
+  throw InputError(file.place + ": unit", in_quotes(file.unit), "is not known",
+                   fmt::format("Units that fit: {}.", usual_units(file.usual)));
 }
 
 }  // namespace
@@ -56,11 +74,15 @@ Axis even_axis(const Sampling& sampling) {
   return axis;
 }
 
-PointsAxis axis_of_points(std::vector<double> points, const Dimension& dimension,
-                          std::optional<double> stated_step) {
+PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step) {
+  std::vector<double>& points = file.points;
+  const Unit unit = unit_of_axis(file);
+  const bool singles = points.size() > 1 && are_singles(points);
+  scale(points, unit);
   PointsAxis result;
-  result.axis.dimension = dimension;
+  result.axis.dimension = unit.dimension;
   result.points = points.size();
+  if (unit.dimension != kTime) stated_step.reset();
   const auto is_even = [&](double step, double tolerance) {
     return points.size() > 1 && step > 0.0 && lies_evenly(points, step, tolerance);
   };
@@ -69,6 +91,9 @@ PointsAxis axis_of_points(std::vector<double> points, const Dimension& dimension
                         : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
   if (stated_step && is_even(*stated_step, kEvenAsStated)) {
     result.axis.step = *stated_step;
+  } else if (singles && mean > 0.0) {
+    result.axis = axis_from_singles(std::move(points), unit);
+    return result;
   } else if (is_even(mean, kEven)) {
     result.axis.step = mean;
   } else {
@@ -85,6 +110,7 @@ void apply_unit(Channel& channel, std::string_view unit, const std::string& sour
   const std::optional<Unit> found = find_unit(unit);
   if (!found) {
     channel.attributes.emplace_back("unit", unit);
+    if (is_other_unit(unit)) return;
     warnings.push_back(
         {"unit_unknown",
          fmt::format("{}: channel {} is in {}, an unknown unit; it is treated as without unit",
@@ -99,18 +125,6 @@ void apply_unit(Channel& channel, std::string_view unit, const std::string& sour
   channel.dimension = found->dimension;
   scale(channel.values, *found);
   scale(channel.imaginary, *found);
-}
-
-Dimension apply_axis_unit(std::vector<double>& points, std::string_view unit,
-                          const Dimension& usual, const std::string& place) {
-  if (trimmed(unit).empty()) return usual;
-  const std::optional<Unit> found = find_unit(unit);
-  if (!found) {
-    throw InputError(place + ": unit", in_quotes(unit), "is not known",
-                     fmt::format("Units that fit: {}.", usual_units(usual)));
-  }
-  scale(points, *found);
-  return found->dimension;
 }
 
 void add_channel(std::vector<Recording>& recordings, const std::string& source, const Axis& axis,
@@ -147,11 +161,35 @@ void check_read(const Recording& recording, const std::string& place) {
   }
 }
 
-void warn_without_rate(std::span<const std::string> places, std::vector<Warning>& warnings) {
-  for (const std::string& place : places) {
-    warnings.push_back({"sampling_rate_missing",
-                        fmt::format("{}: left out, it has no sampling rate or time", place)});
+void check_foreign(Recording& recording, const std::string& place, std::vector<Warning>& warnings) {
+  for (const std::string& reason : leave_out_incomplete(recording)) {
+    warnings.push_back({"channel_left_out", fmt::format("{}: {}", place, reason)});
   }
+  check_read(recording, place);
+}
+
+void warn_without_rate(std::span<const WithoutAxis> places, std::vector<Warning>& warnings) {
+  for (const auto& [place, found] : places) {
+    warnings.push_back(
+        {"sampling_rate_missing", fmt::format("{}: left out, it has {}", place,
+                                              found.empty() ? "no sampling rate or time" : found)});
+  }
+}
+
+bool may_be_untimed(std::span<const WithoutAxis> places) {
+  return !places.empty() && std::ranges::all_of(places, &std::string::empty, &WithoutAxis::found);
+}
+
+Warning points_untimed(std::string_view place) {
+  return {"points_untimed",
+          fmt::format("{}: has no time or sampling rate; its points are taken to be 1 s apart, so "
+                      "that times are numbers of points and rates mean nothing",
+                      place)};
+}
+
+FormatError no_sampling_rate(const WithoutAxis& place, std::string_view remedy) {
+  return {
+      {.file = place.place}, "a sampling rate", place.found.empty() ? "none" : place.found, remedy};
 }
 
 std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }

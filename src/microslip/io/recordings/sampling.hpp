@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -20,11 +21,14 @@ namespace microslip {
 
 inline constexpr std::array<const char*, 6> kRateNames{
     "fs", "Fs", "FS", "sampling_rate", "sample_rate", "sampling_frequency"};
-inline constexpr std::array<const char*, 4> kStepNames{"dt", "Dt", "sampling_interval", "delta_t"};
-inline constexpr std::array<const char*, 3> kStartNames{"t0", "start", "start_time"};
+inline constexpr std::array<const char*, 5> kStepNames{"dt", "Dt", "sampling_interval", "delta_t",
+                                                       "wf_increment"};
+inline constexpr std::array<const char*, 4> kStartNames{"t0", "start", "start_time",
+                                                        "wf_start_offset"};
 inline constexpr std::array<const char*, 3> kTimeNames{"time", "Time", "t"};
 inline constexpr std::array<const char*, 4> kFrequencyNames{"frequency", "Frequency", "freq", "f"};
-inline constexpr std::array<const char*, 3> kUnitNames{"unit_str", "unit", "units"};
+inline constexpr std::array<const char*, 5> kUnitNames{"unit_str", "unit", "units", "unit_string",
+                                                       "NI_UnitDescription"};
 
 template <class Names>
 [[nodiscard]] bool is_one_of(std::string_view name, const Names& names) {
@@ -53,20 +57,26 @@ struct PointsAxis {
 /// 1/rate. @throws InputError  naming `place`, where the rate is not above 0 and finite.
 [[nodiscard]] double step_of_rate(double rate, const std::string& place);
 
+/// How a file gives the points of an axis.
+struct PointsInFile {
+  std::vector<double> points;  ///< as in the file
+  std::string unit;            ///< as in the file; empty: none
+  Dimension usual;             ///< of the points where no unit is named
+  std::string place;           ///< for messages
+};
+
 /// Points that rise in even steps but for rounding become start and step, others stay as they are.
-/// Even means: off by at most 1e-6 steps; where the step is stated elsewhere, by at most 0.01 of
-/// it, as points in single precision are.
-[[nodiscard]] PointsAxis axis_of_points(std::vector<double> points, const Dimension& dimension,
-                                        std::optional<double> stated_step);
+/// Even means: off by at most 1e-6 steps; where all are numbers of single precision, by as much as
+/// their rounding explains (even_axis.hpp); where the step of times is stated elsewhere, by at most
+/// 0.01 of it. "seconds since DATE" counts as seconds.
+/// @throws InputError  where the unit is not known.
+[[nodiscard]] PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step);
 
 /// Brings values to SI by the unit that the file names. An unknown one is kept as the attribute
-/// `unit` and gives a warning, as does a doubtful g (doubtful_unit.hpp); an empty one is none.
+/// `unit` and gives a warning unless it is one of another quantity, such as °C or V; so does a
+/// doubtful g (doubtful_unit.hpp). An empty one is none.
 void apply_unit(Channel& channel, std::string_view unit, const std::string& source,
                 std::vector<Warning>& warnings);
-
-/// The same for the points of an axis; `usual` where no unit is named.
-[[nodiscard]] Dimension apply_axis_unit(std::vector<double>& points, std::string_view unit,
-                                        const Dimension& usual, const std::string& place);
 
 /// Adds the channel to the recording of the same axis and length, or to a new one; a name that is
 /// taken there gets `place` behind it.
@@ -76,8 +86,28 @@ void add_channel(std::vector<Recording>& recordings, const std::string& source, 
 /// check_recording() for what was read; its errors start with `place`, which names the file.
 void check_read(const Recording& recording, const std::string& place);
 
-/// One warning for each place that was left out because nothing tells over what its values are.
-void warn_without_rate(std::span<const std::string> places, std::vector<Warning>& warnings);
+/// check_read() after channels without a value at some point have been left out, with a warning
+/// each.
+void check_foreign(Recording& recording, const std::string& place, std::vector<Warning>& warnings);
+
+/// A place that was left out because nothing tells over what its values are.
+struct WithoutAxis {
+  std::string place;
+  std::string found = {};  ///< "'time' of 499 values for its 500"; empty: nothing
+};
+
+/// One warning for each of them.
+void warn_without_rate(std::span<const WithoutAxis> places, std::vector<Warning>& warnings);
+
+/// Whether points may be taken to be 1 s apart, as RecordingReadOptions::allow_untimed has it:
+/// there are places without axis, and none contradicts a time.
+[[nodiscard]] bool may_be_untimed(std::span<const WithoutAxis> places);
+
+/// Warning on points that were.
+[[nodiscard]] Warning points_untimed(std::string_view place);
+
+/// The error where there is nothing else. @param remedy  what to add.
+[[nodiscard]] FormatError no_sampling_rate(const WithoutAxis& place, std::string_view remedy);
 
 /// The path without folders.
 [[nodiscard]] std::string file_name(const std::string& path);

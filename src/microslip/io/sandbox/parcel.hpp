@@ -97,6 +97,8 @@ void pass(Parcel& parcel, Channel& channel);
 template <class Parcel>
 void pass(Parcel& parcel, Recording& recording);
 template <class Parcel>
+void pass(Parcel& parcel, LeftOutChannel& channel);
+template <class Parcel>
 void pass(Parcel& parcel, MatValue& value);
 
 template <class Parcel, class Value>
@@ -148,6 +150,13 @@ void pass(Parcel& parcel, Recording& recording) {
   pass(parcel, recording.axis.values);
   pass(parcel, recording.channels);
   pass(parcel, recording.attributes);
+  pass(parcel, recording.left_out);
+}
+
+template <class Parcel>
+void pass(Parcel& parcel, LeftOutChannel& channel) {
+  pass(parcel, channel.name);
+  pass(parcel, channel.reason);
 }
 
 template <class Parcel>

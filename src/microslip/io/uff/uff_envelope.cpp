@@ -12,6 +12,20 @@ bool is_blank(std::string_view line) {
   return line.find_first_not_of(' ') == std::string_view::npos;
 }
 
+/// Text between datasets, which the format allows. Numbers are not: a dataset that ended too early
+/// leaves them.
+bool is_remark(std::string_view line) {
+  if (line.size() > 200 || printable(line) != line) return false;
+  while (!line.empty()) {
+    const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+    line.remove_prefix(begin);
+    const std::string_view word = line.substr(0, line.find(' '));
+    if (word.find_first_not_of("0123456789+-.eEdD") != std::string_view::npos) return true;
+    line.remove_prefix(word.size());
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_uff_marker(std::string_view line) {
@@ -21,7 +35,7 @@ bool is_uff_marker(std::string_view line) {
 
 std::optional<UffDataset> UffEnvelope::next() {
   std::optional<std::string_view> line = input_.line();
-  while (line && is_blank(*line)) line = input_.line();
+  while (line && (is_blank(*line) || (ordinal_ > 0 && is_remark(*line)))) line = input_.line();
   if (!line) return std::nullopt;
   if (!is_uff_marker(*line)) {
     const std::string_view expected =

@@ -17,6 +17,11 @@ std::string name_of(const Recording& recording, std::string_view channel) {
 }
 
 [[noreturn]] void throw_missing(const Recording& recording, std::string_view name) {
+  const auto left_out = std::ranges::find(recording.left_out, name, &LeftOutChannel::name);
+  if (left_out != recording.left_out.end()) {
+    throw InputError(name_of(recording, name), InputState{"left out"},
+                     fmt::format("must have a value at each point; {}", left_out->reason));
+  }
   throw InputError(name_of(recording, name), InputState{"missing"},
                    fmt::format("the recording has {}", names_of_channels(recording)),
                    "Give a name from there.");
@@ -27,7 +32,13 @@ std::string name_of(const Recording& recording, std::string_view channel) {
 [[noreturn]] void throw_without_unit(const Recording& recording, std::string_view name,
                                      const Dimension& expected) {
   const Dimension likely = quantity_of_name(name).value_or(expected);
-  std::string rule = "must have a unit";
+  const Attributes& attributes = recording.channel(name).attributes;
+  const auto unknown = std::ranges::find(attributes, "unit", &Attributes::value_type::first);
+  const std::string state =
+      unknown == attributes.end()
+          ? "without unit"
+          : fmt::format("labelled '{}', which is unknown or doubtful", unknown->second);
+  std::string rule = unknown == attributes.end() ? "must have a unit" : "must have a known unit";
   std::string remedy =
       fmt::format("Give its unit with `assume_units {}={}`", name, si_unit(likely));
   if (likely == expected) {
@@ -35,7 +46,25 @@ std::string name_of(const Recording& recording, std::string_view channel) {
   } else {
     remedy += fmt::format(", if it is {} as its name states", dimension_name(likely));
   }
-  throw InputError(name_of(recording, name), InputState{"without unit"}, rule, remedy + ".");
+  throw InputError(name_of(recording, name), InputState{state}, rule, remedy + ".");
+}
+
+std::size_t count_not_finite(std::span<const double> values) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(values, [](double v) { return !std::isfinite(v); }));
+}
+
+bool is_whole(const Channel& channel) {
+  return count_not_finite(channel.values) == 0 && count_not_finite(channel.imaginary) == 0;
+}
+
+std::string reason_of(const Channel& channel) {
+  const std::vector<double>& values =
+      count_not_finite(channel.values) > 0 ? channel.values : channel.imaginary;
+  const auto bad = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });
+  return fmt::format("{} of its {} values are missing or not finite, the first at point {}",
+                     count_not_finite(values), values.size(),
+                     std::distance(values.begin(), bad) + 1);
 }
 
 void check_finite(const Recording& recording, std::string_view name,
@@ -44,7 +73,12 @@ void check_finite(const Recording& recording, std::string_view name,
   if (bad == values.end()) return;
   throw InputError(
       fmt::format("{}, point {}", name_of(recording, name), std::distance(values.begin(), bad) + 1),
-      *bad, "must be finite", "Cut the record where it is whole.");
+      *bad,
+      count_not_finite(values) == 1
+          ? "must be finite"
+          : fmt::format("must be finite; {} of {} values are missing or not finite",
+                        count_not_finite(values), values.size()),
+      "Cut the record where it is whole.");
 }
 
 void check_axis(const Recording& recording) {
@@ -86,6 +120,19 @@ std::string names_of_channels(const Recording& recording) {
     names += (names.empty() ? "'" : ", '") + channel.name + "'";
   }
   return names.empty() ? "none" : names;
+}
+
+std::vector<std::string> leave_out_incomplete(Recording& recording) {
+  std::vector<std::string> reasons;
+  if (std::ranges::none_of(recording.channels, is_whole)) return reasons;
+  std::erase_if(recording.channels, [&](const Channel& channel) {
+    if (is_whole(channel)) return false;
+    recording.left_out.push_back({channel.name, reason_of(channel)});
+    reasons.push_back(fmt::format("channel '{}' is left out: {}", channel.name,
+                                  recording.left_out.back().reason));
+    return true;
+  });
+  return reasons;
 }
 
 const Channel& Recording::channel(std::string_view name) const {

@@ -50,12 +50,20 @@ struct Channel {
   friend bool operator==(const Channel&, const Channel&) = default;
 };
 
+/// A channel of a file that is none of a recording, because it has no value at some points.
+struct LeftOutChannel {
+  std::string name;
+  std::string reason;  ///< "20 of 500 values are missing or not finite, the first at point 481"
+};
+
 /// Channels measured together, over one axis; each has a value at each of its points.
 struct Recording {
   std::string source;             ///< where it comes from, for messages and tables: "level_1.csv"
   Axis axis;                      ///< that its channels share
   std::vector<Channel> channels;  ///< one at least
   Attributes attributes;          ///< in addition to those of the channels
+  /// Of the file, but not of this recording; for messages.
+  std::vector<LeftOutChannel> left_out = {};
 
   /// The number of points.
   [[nodiscard]] std::size_t size() const {
@@ -66,7 +74,8 @@ struct Recording {
   [[nodiscard]] double sampling_rate() const { return 1.0 / axis.step; }
 
   /// The channel of this name.
-  /// @throws InputError  naming the source, the channel and those there are, where it is missing.
+  /// @throws InputError  naming the source, the channel and those there are, where it is missing;
+  ///                     the reason where it was left out.
   [[nodiscard]] const Channel& channel(std::string_view name) const;
 
   /// The values of a real channel over time, in SI.
@@ -82,6 +91,11 @@ struct Recording {
 
 /// The names of its channels in quotes, between commas; "none" without any.
 [[nodiscard]] std::string names_of_channels(const Recording& recording);
+
+/// Takes out the channels that have a value which is not finite, into `left_out`, unless none would
+/// remain.
+/// @return  the reason of each, after its name in quotes.
+std::vector<std::string> leave_out_incomplete(Recording& recording);
 
 /// Checks that the recording is whole: a channel and two points at least, names unique and not
 /// empty, lengths equal, a step above 0 or values that rise, everything finite.

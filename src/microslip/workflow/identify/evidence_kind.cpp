@@ -11,6 +11,7 @@
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/open/recording_file.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/signal/recording/quantity_name.hpp"
 
@@ -35,9 +36,10 @@ EvidenceKind evidence_kind(const std::string& path) {
   const std::string file = part_of_file(path).file;
   if (path == "-" || is_pipe_or_device(file)) return EvidenceKind::kLevels;
   if (recording_format(file) != RecordingFormat::kCsv) return EvidenceKind::kRecord;
-  const std::vector<CsvColumn> columns = csv_columns(read_kind_head(file));
-  if (std::ranges::any_of(columns, is_of_levels)) return EvidenceKind::kLevels;
-  return std::ranges::any_of(columns, is_of_record) ? EvidenceKind::kRecord : EvidenceKind::kLevels;
+  const std::string head = read_kind_head(file);
+  if (std::ranges::any_of(csv_columns(head), is_of_levels)) return EvidenceKind::kLevels;
+  return std::ranges::any_of(recording_columns(head), is_of_record) ? EvidenceKind::kRecord
+                                                                    : EvidenceKind::kLevels;
 }
 
 }  // namespace microslip

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace microslip {
+
+/// Where the header of a table begins in a text that may have lines of another kind above it, which
+/// loggers and testing machines write without a mark: the line above the first two rows of numbers
+/// of as many cells, or the one above that where the line between has the units.
+struct TableStart {
+  std::vector<std::string_view> preamble;  ///< lines above the header, neither blank nor comments
+  std::size_t header = 0;                  ///< offset of the header in the text
+  std::string_view names = {};             ///< the line of the header
+  std::string_view below = {};             ///< the next one, which may have the units
+};
+
+/// @param text  the beginning of the file, whole lines.
+/// @return  no preamble where the header is the first line, or there are no such rows; no lines
+///          where there are less than two.
+[[nodiscard]] TableStart find_table_start(std::string_view text);
+
+}  // namespace microslip

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+
+// Files of netCDF-4, which are of HDF5, and others that say more than names of datasets do: layouts
+// as netCDF4-python 1.6.2 and xarray 2023.01 write them (NetCDF Users Guide; CF Conventions 1.10,
+// sections 2.5.1, 4.4 and 8.1), and npTDMS 1.7.
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "io/other_hdf5.hpp"
+#include "io/support.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
+
+namespace microslip::hdf5_netcdf_test {
+namespace {
+
+using test::message_of;
+using test::OtherFile;
+
+constexpr const char* kBare = "This is a netCDF dimension but not a netCDF variable.         3";
+const std::vector<double> kValues{1.0, -2.0, 0.5};
+
+class Hdf5NetCdf : public testing::Test {
+ protected:
+  Recordings read() { return read_recordings_hdf5(path_); }
+  std::string message() {
+    return message_of<Error>([&] { (void)read(); });
+  }
+
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_.file("a.nc");
+};
+
+void add_scale(OtherFile& file, const char* name, const std::vector<double>& points,
+               const char* unit) {
+  file.dataset<double>(name, H5T_NATIVE_DOUBLE, {points.size()}, points);
+  file.scale(name, name);
+  if (unit != nullptr) file.text(name, "units", unit);
+}
+
+void add_over(OtherFile& file, const char* name, const std::string& scale) {
+  file.dataset<double>(name, H5T_NATIVE_DOUBLE, {3}, kValues);
+  file.scales(name, {scale});
+}
+
+// Two dimensions of the same length are two axes.
+TEST_F(Hdf5NetCdf, TakesTheAxisThatTheFileNames) {
+  {
+    OtherFile file(path_);
+    add_scale(file, "time", {0, 1e-3, 2e-3}, "s");
+    add_scale(file, "time_force", {0, 0.5e-3, 1e-3}, "s");
+    add_over(file, "acc", "time");
+    add_over(file, "force", "time_force");
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 2U);
+  EXPECT_EQ(all.recordings[0].channels.size(), 1U);
+  EXPECT_EQ(all.recordings[0].channel("acc").values, kValues);
+  EXPECT_NEAR(all.recordings[0].sampling_rate(), 1000.0, 1e-9);  // rounding of the points
+  EXPECT_EQ(all.recordings[1].channels.size(), 1U);
+  EXPECT_NEAR(all.recordings[1].sampling_rate(), 2000.0, 1e-9);
+  EXPECT_EQ(all.recordings[1].channel("force").values, kValues);
+}
+
+// Values over positions are not over time, though there are as many.
+TEST_F(Hdf5NetCdf, LeavesOutWhatIsOverAnotherDimension) {
+  {
+    OtherFile file(path_);
+    add_scale(file, "time", {0, 1e-3, 2e-3}, "s");
+    add_scale(file, "position", {0, 0.1, 0.2}, "m");
+    add_over(file, "acc", "time");
+    add_over(file, "shape", "position");
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_EQ(all.recordings[0].channels.size(), 1U);
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_EQ(all.warnings[0].text, path_ +
+                                      ":/shape: left out, it has 'time', which is that of "
+                                      "another dimension");
+}
+
+// Groups share the dimensions of the one that they are in; a time may be one beside others.
+TEST_F(Hdf5NetCdf, TakesDimensionsOfAGroupAbove) {
+  {
+    OtherFile file(path_);
+    add_scale(file, "t_run", {0, 1, 2}, "milliseconds since 2024-03-12 09:14:00");
+    file.group("run");
+    file.dataset<double>("run/acc", H5T_NATIVE_DOUBLE, {3}, kValues);
+    file.scales("run/acc", {"t_run"});
+    file.dataset<double>("sample", H5T_NATIVE_DOUBLE, {3}, {});
+    file.scale("sample", kBare);
+    file.dataset<double>("time", H5T_NATIVE_DOUBLE, {3}, {0, 0.25, 0.5});
+    file.scales("time", {"sample"});
+    add_over(file, "force", "sample");
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 2U);
+  EXPECT_EQ(all.recordings[0].channel("force").values, kValues);
+  EXPECT_EQ(all.recordings[0].sampling_rate(), 4.0);
+  EXPECT_NEAR(all.recordings[1].sampling_rate(), 1000.0, 1e-9);
+  EXPECT_EQ(all.recordings[1].channel("acc").values, kValues);
+}
+
+// A dimension without a variable is a dataset that was never written.
+TEST_F(Hdf5NetCdf, PassesOverDimensionsWithoutValues) {
+  {
+    OtherFile file(path_);
+    file.number("/", "sample_rate", 8.0);
+    file.dataset<float>("samples", H5T_IEEE_F32BE, {3}, {});
+    file.scale("samples", kBare);
+    file.dataset<float>("one", H5T_IEEE_F32BE, {1}, {});
+    file.scale("one", kBare);
+    add_over(file, "acc", "samples");
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_TRUE(all.warnings.empty());
+  EXPECT_EQ(all.recordings[0].sampling_rate(), 8.0);
+  EXPECT_EQ(all.recordings[0].channel("acc").values, kValues);
+}
+
+TEST_F(Hdf5NetCdf, KnowsTheSamplesOfMoreChannelsThanThose) {
+  {
+    OtherFile file(path_);
+    file.number("/", "sample_rate", 8.0);
+    add_scale(file, "time", {0, 1}, "s");
+    for (const char* name : {"channels", "time_samples"}) {
+      file.dataset<float>(name, H5T_IEEE_F32BE, {name[0] == 'c' ? 3U : 2U}, {});
+      file.scale(name, kBare);
+    }
+    file.dataset<double>("over_time", H5T_NATIVE_DOUBLE, {2, 3}, {1, 2, 3, 10, 20, 30});
+    file.scales("over_time", {"time", "channels"});
+    file.dataset<double>("over_rate", H5T_NATIVE_DOUBLE, {3, 2}, {1, 10, 2, 20, 3, 30});
+    file.scales("over_rate", {"channels", "time_samples"});
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 2U);
+  for (const Recording& recording : all.recordings) {
+    ASSERT_EQ(recording.channels.size(), 3U);
+    EXPECT_EQ(recording.channels[1].values, (std::vector{2.0, 20.0}));
+  }
+}
+
+// Values are stored as integers; -3 stands for none.
+TEST_F(Hdf5NetCdf, UnpacksIntegers) {
+  {
+    OtherFile file(path_);
+    file.dataset<int>("time", H5T_NATIVE_INT, {3}, {10, 11, 12});
+    file.numbers("time", "scale_factor", {0.125});
+    file.text("time", "units", "s");
+    file.dataset<short>("acc", H5T_NATIVE_SHORT, {3}, {4, -8, 2});
+    file.numbers("acc", "scale_factor", {0.25});
+    file.numbers("acc", "add_offset", {-1.0});
+    file.numbers("acc", "_FillValue", {-3});
+    file.text("acc", "units", "mm/s^2");
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_EQ(all.recordings[0].sampling_rate(), 8.0);
+  EXPECT_EQ(all.recordings[0].axis.start, 1.25);
+  EXPECT_EQ(all.recordings[0].channel("acc").values, (std::vector{0.0, -3e-3, -0.5e-3}));
+  EXPECT_TRUE(all.recordings[0].channel("acc").attributes.empty());
+}
+
+// What was never written, or is masked, has a value that stands for none. The fill value of the
+// dataset itself holds where no attribute names one; 0 does not, HDF5 has it by itself.
+TEST_F(Hdf5NetCdf, LeavesOutChannelsWithMissingValues) {
+  constexpr float kFill = 9.96921e36F;  // NC_FILL_FLOAT
+  {
+    OtherFile file(path_);
+    file.number("/", "fs", 8.0);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_fill_value(creation, H5T_NATIVE_FLOAT, &kFill);
+    file.dataset<float>("unwritten", H5T_NATIVE_FLOAT, {3}, {1, kFill, kFill}, creation);
+    constexpr float kZero = 0.0F;
+    H5Pset_fill_value(creation, H5T_NATIVE_FLOAT, &kZero);
+    file.dataset<float>("zeros", H5T_NATIVE_FLOAT, {3}, {0, 1, 0}, creation);
+    H5Pclose(creation);
+    file.dataset<float>("masked", H5T_NATIVE_FLOAT, {3}, {1, 1e20F, 2});
+    file.number("masked", "missing_value", 1e20);  // as a double it is another number
+    file.dataset<short>("out", H5T_NATIVE_SHORT, {3}, {1, 200, 2});
+    file.numbers("out", "valid_range", {-100, 100});
+    file.dataset<double>("nan", H5T_NATIVE_DOUBLE, {3}, {1, std::nan(""), 2});
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  const Recording& recording = all.recordings[0];
+  ASSERT_EQ(recording.channels.size(), 1U);
+  EXPECT_EQ(recording.channel("zeros").values, (std::vector{0.0, 1.0, 0.0}));
+  ASSERT_EQ(all.warnings.size(), 4U);
+  EXPECT_EQ(all.warnings[3].code, "channel_left_out");
+  EXPECT_EQ(message_of<InputError>([&] { (void)recording.channel("unwritten"); }),
+            "a.nc: channel 'unwritten' is left out; must have a value at each point; 2 of its 3 "
+            "values are missing or not finite, the first at point 2");
+}
+
+TEST_F(Hdf5NetCdf, RefusesValuesOfWhichNoneIsWhole) {
+  {
+    OtherFile file(path_);
+    file.dataset<short>("x", H5T_NATIVE_SHORT, {3}, {1, -3, -3});
+    file.number("x", "fs", 8.0);
+    file.number("x", "_FillValue", -3);
+  }
+  EXPECT_NE(message().find("2 of 3 values are missing or not finite"), std::string::npos)
+      << message();
+}
+
+// npTDMS' as_hdf() keeps the names of National Instruments.
+TEST_F(Hdf5NetCdf, ReadsWhatNpTdmsExports) {
+  {
+    OtherFile file(path_);
+    file.group("Group");
+    file.dataset<float>("Group/Gap", H5T_NATIVE_FLOAT, {3}, {1, 2, 4});
+    file.number("Group/Gap", "wf_increment", 0.5);
+    file.number("Group/Gap", "wf_start_offset", 3.0);
+    file.text("Group/Gap", "unit_string", "um");
+    file.text("Group/Gap", "NI_UnitDescription", "um");
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_EQ(all.recordings[0].axis.step, 0.5);
+  EXPECT_EQ(all.recordings[0].axis.start, 3.0);
+  EXPECT_EQ(all.recordings[0].channel("Gap").values, (std::vector{1e-6, 2e-6, 4e-6}));
+}
+
+// Times that a logger keeps in single precision are off by half a unit in the last place.
+TEST_F(Hdf5NetCdf, TakesTimesInSinglePrecision) {
+  std::vector<float> times;
+  for (int i = 0; i < 5000; ++i) times.push_back(static_cast<float>(100.0 + 1e-3 * i));
+  {
+    OtherFile file(path_);
+    file.dataset<float>("time", H5T_NATIVE_FLOAT, {times.size()}, times);
+    file.dataset<float>("acc", H5T_NATIVE_FLOAT, {times.size()}, times);
+    times[7] += 4e-5F;  // five units in the last place
+    file.group("uneven");
+    file.dataset<float>("uneven/time", H5T_NATIVE_FLOAT, {times.size()}, times);
+    file.dataset<float>("uneven/acc", H5T_NATIVE_FLOAT, {times.size()}, times);
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 2U);
+  EXPECT_TRUE(all.recordings[0].axis.even());
+  EXPECT_EQ(all.recordings[0].sampling_rate(), 1000.0);
+  EXPECT_FALSE(all.recordings[1].axis.even());
+}
+
+TEST_F(Hdf5NetCdf, TellsTimesOfAnotherLength) {
+  {
+    OtherFile file(path_);
+    file.dataset<double>("time", H5T_NATIVE_DOUBLE, {2}, {0, 1});
+    file.dataset<double>("acc", H5T_NATIVE_DOUBLE, {3}, kValues);
+  }
+  EXPECT_NE(message().find("expected a sampling rate, found 'time' of 2 values for its 3"),
+            std::string::npos)
+      << message();
+}
+
+// pandas and PyTables store a table as one dataset.
+TEST_F(Hdf5NetCdf, NamesTables) {
+  {
+    OtherFile file(path_);
+    const hid_t type = H5Tcreate(H5T_COMPOUND, 2 * sizeof(double));
+    H5Tinsert(type, "time", 0, H5T_NATIVE_DOUBLE);
+    H5Tinsert(type, "acc", sizeof(double), H5T_NATIVE_DOUBLE);
+    file.dataset<double>("data", type, {2}, {0, 1, 2, 3});
+    H5Tclose(type);
+  }
+  EXPECT_NE(
+      message().find(":/data: expected a dataset of numbers, found a table with named fields"),
+      std::string::npos)
+      << message();
+}
+
+// lzf, Blosc and bzip2 are plugins.
+TEST_F(Hdf5NetCdf, NamesTheFilterThatIsMissing) {
+  {
+    OtherFile file(path_);
+    const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+    const hsize_t chunk = 3;
+    H5Pset_chunk(creation, 1, &chunk);
+    H5Pset_filter(creation, 32000, H5Z_FLAG_OPTIONAL, 0, nullptr);  // of no name here
+    file.dataset<double>("x", H5T_NATIVE_DOUBLE, {3}, kValues, creation);
+    H5Pclose(creation);
+    file.number("x", "fs", 8.0);
+  }
+  EXPECT_NE(message().find("found the filter 32000"), std::string::npos) << message();
+  EXPECT_NE(message().find("h5repack -f GZIP=4"), std::string::npos) << message();
+}
+
+}  // namespace
+}  // namespace microslip::hdf5_netcdf_test

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+
+// MAT files as other programs and data loggers write them: single precision, lengths that are not
+// exact, objects of classes, no time.
+
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/mat/mat_recording.hpp"
+#include "microslip/io/mat/mat_value.hpp"
+
+namespace microslip::mat_other_test {
+namespace {
+
+using test::message_of;
+
+/// Written by libmatio, as Scilab does too.
+class OtherMat {
+ public:
+  explicit OtherMat(const std::string& path, matio_compression compression = MAT_COMPRESSION_NONE)
+      : file_(Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5)), compression_(compression) {}
+  OtherMat(const OtherMat&) = delete;
+  OtherMat& operator=(const OtherMat&) = delete;
+  ~OtherMat() { Mat_Close(file_); }
+
+  void add(const char* name, std::vector<double> values, std::size_t rows) {
+    put(name, MAT_C_DOUBLE, MAT_T_DOUBLE, rows, values.size() / rows, values.data());
+  }
+  void add_single(const char* name, std::vector<float> values) {
+    put(name, MAT_C_SINGLE, MAT_T_SINGLE, values.size(), 1, values.data());
+  }
+  void add(const char* name, std::string text) {
+    put(name, MAT_C_CHAR, MAT_T_UINT8, 1, text.size(), text.data());
+  }
+
+ private:
+  void put(const char* name, matio_classes kind, matio_types type, std::size_t rows,
+           std::size_t columns, void* data) {
+    std::array<std::size_t, 2> sizes{rows, columns};
+    matvar_t* variable = Mat_VarCreate(name, kind, type, 2, sizes.data(), data, 0);
+    Mat_VarWrite(file_, variable, compression_);
+    Mat_VarFree(variable);
+  }
+
+  mat_t* file_;
+  matio_compression compression_;
+};
+
+class MatOther : public testing::Test {
+ protected:
+  std::string message() {
+    return message_of<Error>([&] { return read_recordings_mat(path_); });
+  }
+
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_.file("a.mat");
+};
+
+// Each time is off by half a unit in the last place of a float, up to 2.4e-7 s beyond 4 s: even
+// steps of 1 ms explain them.
+TEST_F(MatOther, TakesTimesInSinglePrecision) {
+  std::vector<float> times;
+  for (int i = 0; i < 5000; ++i) times.push_back(static_cast<float>(i) * 1e-3F);
+  {
+    OtherMat file(path_);
+    file.add_single("time", times);
+    file.add_single("acc", times);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_TRUE(read.recordings[0].axis.even());
+  EXPECT_EQ(read.recordings[0].sampling_rate(), 1000.0);
+}
+
+TEST_F(MatOther, LetsTheTimeTellChannelsFromSamples) {
+  {
+    OtherMat file(path_);
+    file.add("time", {0, 0.5}, 2);
+    file.add("acc", {1, 10, 2, 20, 3, 30}, 2);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.at(0).channels.size(), 3U);
+  EXPECT_EQ(read.recordings[0].channel("acc_3").values, (std::vector{3.0, 30.0}));
+}
+
+TEST_F(MatOther, TellsTimesOfAnotherLength) {
+  {
+    OtherMat file(path_);
+    file.add("time", {0, 0.5}, 2);
+    file.add("acc", {1, 2, 3}, 3);
+  }
+  EXPECT_NE(message().find("'acc': expected a sampling rate, found 'time' of 2 values for its 3"),
+            std::string::npos)
+      << message();
+}
+
+TEST_F(MatOther, LeavesOutChannelsThatAreNotWhole) {
+  {
+    OtherMat file(path_);
+    file.add("fs", {100.0}, 1);
+    file.add("force", {1, 2, 3}, 3);
+    file.add("gap", {1, std::nan(""), 3}, 3);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  EXPECT_EQ(read.recordings.at(0).channels.size(), 1U);
+  EXPECT_EQ(read.warnings.at(0).text,
+            path_ +
+                ": channel 'gap' is left out: 1 of its 3 values are missing or not finite, the "
+                "first at point 2");
+}
+
+TEST_F(MatOther, NumbersPointsWhereThatIsAllowed) {
+  {
+    OtherMat file(path_);
+    file.add("U", {1, 2, 4}, 3);
+    file.add("F", {1, 2, 3}, 3);
+  }
+  EXPECT_NE(message().find("expected a sampling rate, found none"), std::string::npos);
+  const Recordings read = read_recordings_mat(path_, {}, {.allow_untimed = true});
+  EXPECT_EQ(read.recordings.at(0).axis.step, 1.0);
+  EXPECT_EQ(read.recordings.at(0).channels.size(), 2U);
+  EXPECT_EQ(read.warnings.at(0).code, "points_untimed");
+}
+
+// libmatio 1.5.23 counts two bytes for each letter of a compressed text and writes one: its
+// variable claims more than the compressed data hold. Scilab writes so by default.
+TEST_F(MatOther, ReadsTextsOfScilab) {
+  {
+    OtherMat file(path_, MAT_COMPRESSION_ZLIB);
+    file.add("fs", {100.0}, 1);
+    file.add("units", std::string("m/s^2"));
+    file.add("acc", {1, 2, 3}, 3);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  EXPECT_EQ(read.recordings.at(0).channel("acc").dimension, kAcceleration);
+  EXPECT_EQ(read_mat_text(path_, "units"), "m/s^2");
+  EXPECT_EQ(read_mat_numbers(path_, "acc").size(), 3U) << "behind a variable that is not read";
+}
+
+// libsndfile 1.2.0 counts the tag of its last variable twice.
+TEST_F(MatOther, ReadsALastVariableThatClaimsATagMore) {
+  {
+    OtherMat file(path_);
+    file.add("fs", {100.0}, 1);
+    file.add("acc", {1, 2, 3}, 3);
+  }
+  std::string content = test::get(path_);
+  const std::size_t size = content.find("acc") - 40;  // the size in the tag of its variable
+  content[size] = static_cast<char>(content[size] + 8);
+  test::put(path_, content);
+  EXPECT_EQ(read_recordings_mat(path_).recordings.at(0).channel("acc").values,
+            (std::vector{1.0, 2.0, 3.0}));
+  test::put(path_, content.substr(0, content.size() - 8));
+  EXPECT_NE(message().find("found the end of the file"), std::string::npos) << message();
+}
+
+std::string number_of_4(std::uint32_t value) {
+  std::string bytes(4, '\0');
+  for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<char>(value >> (8 * i));
+  return bytes;
+}
+
+std::string element(std::uint32_t type, const std::string& content) {
+  const std::size_t padding = (8 - content.size() % 8) % 8;
+  return number_of_4(type) + number_of_4(static_cast<std::uint32_t>(content.size())) + content +
+         std::string(padding, '\0');
+}
+
+// MATLAB's MAT-files of 2012 on: an object has its name, the system and the name of its class.
+TEST_F(MatOther, NamesObjectsOfMatlab) {
+  std::string header = "MATLAB 5.0 MAT-file, Platform: GLNXA64";
+  header.resize(124, ' ');
+  header += std::string("\0\x01IM", 4);
+  const std::string flags = element(6, number_of_4(17) + number_of_4(0));
+  const std::string object =
+      flags + element(1, "run1") + element(1, "MCOS") + element(1, "timetable");
+  test::put(path_, header + element(14, object));
+  EXPECT_NE(message().find(":run1: expected vectors of numbers, found an object of the class "
+                           "'timetable'. Only MATLAB reads it"),
+            std::string::npos)
+      << message();
+}
+
+}  // namespace
+}  // namespace microslip::mat_other_test

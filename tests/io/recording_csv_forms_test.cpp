@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+
+// Tables as loggers, testing machines and spreadsheets write them: what does not matter is
+// forgiven, what cannot be used is left out with a warning.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
+#include "microslip/io/recordings/table_start.hpp"
+
+namespace microslip::recording_csv_forms_test {
+namespace {
+
+using test::message_of;
+using Numbers = std::vector<double>;
+using Names = std::vector<std::string>;
+
+Recordings read_all(const std::string& text, const RecordingReadOptions& options = {}) {
+  const test::TemporaryFolder folder;
+  test::put(folder.file("r.csv"), text);
+  return read_recordings_csv(folder.file("r.csv"), options);
+}
+
+std::string fault(const std::string& text) {
+  const std::string message = message_of<Error>([&] { return read_all(text); });
+  const std::size_t name = message.find("r.csv");
+  return name == std::string::npos ? message : message.substr(name);
+}
+
+Names names_of(const Recording& recording) {
+  Names names;
+  for (const Channel& channel : recording.channels) names.push_back(channel.name);
+  return names;
+}
+
+Names codes_of(const Recordings& read) {
+  Names codes;
+  for (const Warning& warning : read.warnings) codes.push_back(warning.code);
+  return codes;
+}
+
+// A temperature or a voltage beside what is measured says nothing of it.
+TEST(RecordingCsvForms, KeepsChannelsOfOtherUnits) {
+  const Recordings read =
+      read_all("time [s],force [N],temp [°C],raw (mV/g),x [furlong]\n0,1,21,5,7\n1,2,22,6,8\n");
+  const Recording& recording = read.recordings.front();
+  EXPECT_EQ(names_of(recording), (Names{"force", "temp", "raw", "x"}));
+  EXPECT_EQ(recording.channel("force").dimension, kForce);
+  for (const char* name : {"temp", "raw", "x"}) EXPECT_FALSE(recording.channel(name).dimension);
+  EXPECT_EQ(recording.channel("temp").attributes, (Attributes{{"unit", "°C"}}));
+  EXPECT_EQ(codes_of(read), (Names{"unit_unknown"})) << "of the furlong alone";
+  EXPECT_EQ(message_of<InputError>([&] { (void)recording.signal("temp", kLength); }),
+            "r.csv: channel 'temp' is labelled '°C', which is unknown or doubtful; must have a "
+            "known unit of length. Give its unit with `assume_units temp=m`.");
+}
+
+TEST(RecordingCsvForms, TellsColumnsOfOneNameApart) {
+  const Recordings read =
+      read_all("time (s),Force (V),Force (N),x,x,x\n0,1,10,4,5,6\n1,2,20,7,8,9\n");
+  EXPECT_EQ(names_of(read.recordings.front()),
+            (Names{"Force (V)", "Force (N)", "x", "x (column 5)", "x (column 6)"}));
+  EXPECT_EQ(read.recordings.front().channel("Force (N)").values, (Numbers{10, 20}));
+  EXPECT_EQ(read.recordings.front().channel("x (column 5)").values, (Numbers{5, 8}));
+  EXPECT_EQ(codes_of(read), (Names{"columns_of_one_name", "columns_of_one_name"}));
+}
+
+// Of pandas, whose index has no name.
+TEST(RecordingCsvForms, CallsAColumnWithoutNameByItsNumber) {
+  EXPECT_EQ(names_of(read_all(",time [s],a [N]\n0,0,1\n1,1,2\n").recordings.front()),
+            (Names{"column 1", "a"}));
+}
+
+TEST(RecordingCsvForms, LeavesOutColumnsWithoutNumbers) {
+  const Recordings read = read_all(
+      "image,date,time [s],a [N],gap [m],over [N],c [N]\n"
+      "step_0,2024-03-12 09:14:00,0,1,,1,5\n"
+      "step_1,2024-03-12 09:14:01,1,2,0.1,OL,\n"
+      "step_2,2024-03-12 09:14:02,2,3,0.2,3,7\n");
+  const Recording& recording = read.recordings.front();
+  EXPECT_EQ(names_of(recording), (Names{"a"}));
+  EXPECT_EQ(recording.channel("a").values, (Numbers{1, 2, 3}));
+  EXPECT_EQ(codes_of(read), Names(5, "channel_left_out"));
+  const std::string message = message_of<InputError>([&] { (void)recording.channel("c"); });
+  EXPECT_NE(message.find("channel 'c' is left out; must have a value at each point"),
+            std::string::npos)
+      << message;
+  EXPECT_NE(
+      message.find("r.csv:3:39: expected a finite number in column 7 'c [N]', found an empty"),
+      std::string::npos)
+      << message;
+}
+
+// A number that is damaged is no column of text.
+TEST(RecordingCsvForms, RefusesANumberThatIsNone) {
+  EXPECT_NE(fault("time [s],a [N],b [N]\n0,1,2\n1,2x,3\n").find("r.csv:3:3: expected a finite"),
+            std::string::npos);
+  EXPECT_NE(fault("time [s],a [N],b [N]\n0,1,2\nend,2,3\n").find("r.csv:3:1: expected a finite"),
+            std::string::npos);
+}
+
+TEST(RecordingCsvForms, PrefersATimeThatHasAUnit) {
+  const Recordings read = read_all("Time,Elapsed [s],a [N]\n09:14:00,0,1\n09:14:01,1,2\n");
+  EXPECT_EQ(read.recordings.front().axis.step, 1.0);
+  EXPECT_EQ(names_of(read.recordings.front()), (Names{"a"}));
+}
+
+// As testing machines write their reports; `;;` are cells of a spreadsheet.
+TEST(RecordingCsvForms, TakesLinesAboveTheHeaderForComments) {
+  const Recordings read = read_all(
+      "Test: lap joint, 25 Nm;;\n"
+      "Date: 12.03.2024 09:14;;\n"
+      "Operator;Ann;\n"
+      "\n"
+      "Zeit;Weg;Kraft\n"
+      "s;mm;kN\n"
+      "0,000;1,25;-0,5\n"
+      "0,005;1,50;-0,25\n");
+  const Recording& recording = read.recordings.front();
+  EXPECT_EQ(recording.axis.step, 0.005);
+  EXPECT_EQ(recording.channel("Weg").values, (Numbers{1.25e-3, 1.5e-3}));
+  EXPECT_EQ(recording.channel("Kraft").values, (Numbers{-500, -250}));
+  EXPECT_EQ(recording.attributes,
+            (Attributes{
+                {"Test", "lap joint, 25 Nm"}, {"Date", "12.03.2024 09:14"}, {"Operator", "Ann"}}));
+}
+
+TEST(RecordingCsvForms, FindsTheRateAboveTheHeader) {
+  const Recordings read =
+      read_all("Logger 3\nSampling rate,200\nforce [N],gap [um]\n1,2\n3,4\n5,6\n");
+  EXPECT_EQ(read.recordings.front().sampling_rate(), 200.0);
+  EXPECT_EQ(names_of(read.recordings.front()), (Names{"force", "gap"}));
+}
+
+TEST(RecordingCsvForms, TakesNoRowForAHeader) {
+  for (const char* text : {"a,b\n1,2\n3,4\n", "a,b\ns,m\n1,2\n3,4\n", "a,b\nNaN,NaN\n1,2\n3,4\n",
+                           "# c\na,b\n1,2\n", "a\n1\n2\n", "", "a\n"}) {
+    EXPECT_TRUE(find_table_start(text).preamble.empty()) << text;
+  }
+}
+
+TEST(RecordingCsvForms, NamesBlanksBetweenColumns) {
+  EXPECT_NE(fault("time [s]   force [N]   disp [mm]\n0.000  0.000  0.0000\n")
+                .find("expected columns separated by commas, semicolons or tabs, found blanks"),
+            std::string::npos);
+}
+
+// Dry friction knows no time; for others it must be there.
+TEST(RecordingCsvForms, NumbersPointsWhereThatIsAllowed) {
+  const std::string text = "gap [um],load [kN]\n1,2\n2,3\n";
+  EXPECT_NE(fault(text).find("expected a column of time"), std::string::npos);
+  const Recordings read = read_all(text, {.allow_untimed = true});
+  EXPECT_EQ(read.recordings.front().axis.step, 1.0);
+  EXPECT_EQ(codes_of(read), (Names{"points_untimed"}));
+}
+
+TEST(RecordingColumns, AreThoseOfTheTableInTheFile) {
+  const auto columns = recording_columns("Machine 4\nZeit;Kraft\ns;kN\n0,1;2,5\n0,2;2,5\n");
+  ASSERT_EQ(columns.size(), 2U);
+  EXPECT_EQ(columns[1].name, "Kraft");
+  EXPECT_EQ(columns[1].unit, "kN");
+  EXPECT_TRUE(recording_columns("\x89PNG\r\n\x1A\n").empty());
+}
+
+}  // namespace
+}  // namespace microslip::recording_csv_forms_test
