@@ -61,7 +61,7 @@ struct FoundByRecords {
   std::vector<TableFound> tables = {};            ///< one per table of levels
 };
 
-/// The smoothings that were compared. Vectors of one length.
+/// The values of λ that were compared. Vectors of one length.
 struct SmoothingPath {
   std::vector<double> lambda = {};              ///< λ, as the method scales it
   std::vector<double> degrees_of_freedom = {};  ///< of the fit, 1
@@ -160,7 +160,7 @@ struct IdentifiedJoint {
   std::optional<double> degrees_of_freedom = {};     ///< of the smoothed fit, 1
   std::optional<double> smoothing_trend = {};        ///< of λ over the slip force
   std::optional<double> inner_not_converged = {};    ///< solutions along the path
-  std::optional<SmoothingPath> path = {};            ///< of the smoothings
+  std::optional<SmoothingPath> path = {};            ///< of the values of λ
   std::vector<double> edges = {};                    ///< slip forces at which the density jumps, N
   std::vector<ParameterFound> parameters = {};       ///< of a parametric model
   std::vector<double> covariance = {};               ///< of the parameters, row by row
