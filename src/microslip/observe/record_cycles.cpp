@@ -437,7 +437,12 @@ void flag_moving_means(std::vector<RecordCycle>& cycles) {
     const int now = moved(cycles[i - 1], cycles[i]);
     in_a_row = now == 0 ? 0 : now == direction ? in_a_row + 1 : 1;
     direction = now;
-    if (in_a_row >= kMovesInARow) cycles[i].flags.emplace_back(kMeanMoves);
+    if (in_a_row < kMovesInARow) continue;
+    // The first of them moved as well.
+    const std::size_t from = in_a_row == kMovesInARow ? i - kMovesInARow : i;
+    for (std::size_t j = from; j <= i; ++j) {
+      if (!cycles[j].has_flag(kMeanMoves)) cycles[j].flags.emplace_back(kMeanMoves);
+    }
   }
 }
 
