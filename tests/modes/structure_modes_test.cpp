@@ -268,8 +268,8 @@ TEST(StructureModes, OfABaseLeaveInnerDegreesOfFreedomAtRest) {
   EXPECT_NEAR(compute_structure_modes(structure, {.count = 2}).base_masses[0].total, 5.0, 1e-9);
 }
 
-// A steel bar of 30 elements on springs of 3500 N/m, 5.9 Hz: eight digits of its matrix hide what lies
-// below 84 Hz, more than a hundredth of the 1329 Hz of its first bending mode.
+// A steel bar of 30 elements on springs of 3500 N/m, 5.9 Hz: eight digits of its matrix hide what
+// lies below 84 Hz, more than a hundredth of the 1329 Hz of its first bending mode.
 TEST(StructureModes, SayWhatTheDigitsOfTheMatrixHide) {
   const test::BeamMatrices bar{30, 0.4, 2.1e11 * std::pow(0.04, 4) / 12.0, 7850.0 * 0.04 * 0.04};
   MeshedStructure structure{.matrices = bar.matrices()};
