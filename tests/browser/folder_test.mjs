@@ -19,6 +19,7 @@ const run = (...args) => execFileSync(program, [...args, '--quiet'], {cwd: test,
 
 cpSync(`${examples}/reference_rig`, test, {recursive: true});
 cpSync(`${examples}/reference_joint/joint.json`, `${test}/truth_joint.json`);
+rmSync(`${test}/joint.json`, {force: true}); // was written by hand: identify would not replace it
 const records = Array.from({length: 12}, (_, i) => `recordings/level_${String(i + 1).padStart(2, '0')}.csv`);
 run('reduce', 'rig.toml', ...records, '--out', 'levels.csv');
 run('identify', 'levels.csv', '--stiffness', '1.7e5', '--bands', '100', '--out', 'joint.json',

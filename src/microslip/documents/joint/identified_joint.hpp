@@ -183,6 +183,7 @@ struct IdentifiedJoint {
 [[nodiscard]] JointFile joint_file_of(IdentifiedJoint found, Provenance provenance);
 
 /// What joint_file_of() wrote. A status that is missing is kStatusNotTold, a confidence 0.95.
+/// @param file  that was read.
 /// @param path  of the file, for messages.
 /// @throws InputError  naming the key of which there are fewer or more values than others have, or
 ///                     whose values contradict others.

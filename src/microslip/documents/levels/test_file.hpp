@@ -46,7 +46,9 @@ struct TestFile {
 [[nodiscard]] TestFile open_test(const std::string& path);
 
 /// A test is recognised and hashed before it is read.
-/// @param name  of the input, for messages. @param what  that it must be: "a file".
+/// @param file  that was opened.
+/// @param name  of the input, for messages.
+/// @param what  that it must be: "a file".
 /// @throws InputError  of what can be read only once.
 void require_file(const TestFile& file, const std::string& name, std::string_view what);
 

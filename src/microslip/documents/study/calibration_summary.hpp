@@ -72,9 +72,11 @@ struct CalibrationSummary {
 
 /// The contents of the calibration.json of a calibration.
 /// @param found  without `frequency_use`, which is one of the options of the provenance.
+/// @param provenance  of the calibration.
 [[nodiscard]] CalibrationFile calibration_file_of(CalibrationSummary found, Provenance provenance);
 
 /// What calibration_file_of() wrote.
+/// @param file  that was read.
 /// @param path  of the file, for messages.
 /// @throws InputError  naming a key that is missing, or a list of another length than those that it
 ///                     belongs to.

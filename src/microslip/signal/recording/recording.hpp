@@ -52,7 +52,7 @@ struct Channel {
 
 /// A channel of a file that is none of a recording, because it has no value at some points.
 struct LeftOutChannel {
-  std::string name;
+  std::string name;    ///< in the file
   std::string reason;  ///< "20 of 500 values are missing or not finite, the first at point 481"
 };
 
