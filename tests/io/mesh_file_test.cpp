@@ -120,6 +120,35 @@ TEST(MeshFile, ReadsATable) {
   EXPECT_EQ(mesh.nodes[0].position, (Vector3{1.5, 2.0, 0.0}));
 }
 
+// As CalculiX 2.20 reads coordinates: nothing is 0, D is an exponent, blanks within count for
+// nothing, of a node that is there twice the last counts.
+TEST(MeshFile, ReadsCoordinatesAsCalculixDoes) {
+  const MeshFile mesh = mesh_of(
+      "*NODE\n1, 1.0D1, , 1 5\n2, 10,,\n3, 1d-1\n2, 7, 0, 0\n*NODE, SYSTEM=R\n4, 1, 2, 3\n");
+  ASSERT_EQ(mesh.nodes.size(), 4U);
+  EXPECT_EQ(mesh.nodes[0].position, (Vector3{10.0, 0.0, 15.0}));
+  EXPECT_EQ(mesh.nodes[1].position, (Vector3{7.0, 0.0, 0.0}));
+  EXPECT_EQ(mesh.nodes[2].position, (Vector3{0.1, 0.0, 0.0}));
+  EXPECT_TRUE(mesh.warnings.empty());
+}
+
+// CalculiX 2.20 reads 20 characters of a number: 1 of 1.000000000000000e+01.
+TEST(MeshFile, WarnsOfNumbersThatAreCut) {
+  const MeshFile mesh = mesh_of("*NODE\n1, 0.000000000000000e+00, 1.000000000000000e+01, 0\n");
+  ASSERT_EQ(mesh.warnings.size(), 1U);
+  EXPECT_EQ(mesh.warnings[0].code, "numbers_cut");
+  EXPECT_NE(mesh.warnings[0].text.find("has 21 characters, of which CalculiX and Abaqus read 20: 1 "
+                                       "instead of 10"),
+            std::string::npos)
+      << mesh.warnings[0].text;
+  EXPECT_EQ(mesh.nodes[0].position[1], 10.0);
+}
+
+TEST(MeshFile, KnowsTheUnitOfItsOwn) {
+  EXPECT_EQ(mesh_of("node [1],x [in],y [in],z [in]\n3,1,2,0\n").own_unit, 0.0254);
+  EXPECT_EQ(mesh_of("node [1],x [m],y [m],z [m]\n3,1,2,0\n").own_unit, 1.0);
+}
+
 TEST(MeshFileFault, IsNamedByItsPlace) {
   const auto fault = [](const std::string& text) {
     const std::string message = message_of<FormatError>([&] { return mesh_of(text); });
@@ -137,6 +166,17 @@ TEST(MeshFileFault, IsNamedByItsPlace) {
   EXPECT_EQ(fault("*SYSTEM\n"),
             "mesh:1: expected nodes in global coordinates, found *SYSTEM. Give the nodes in a "
             "table: node [1], x [m], y [m], z [m].");
+  EXPECT_EQ(fault("*Node, System=C\n1, 100, 90, 0\n"),
+            "mesh:1: expected nodes in x, y and z, found '*Node, System=C'. Give the nodes in a "
+            "table: node [1], x [m], y [m], z [m]. CalculiX ignores SYSTEM: for its matrices "
+            "remove it.");
+  for (const char* keyword : {"*NMAP", "*NCOPY", "*NGEN", "*NFILL"}) {
+    EXPECT_NE(fault(keyword + std::string("\n1, 2, 1\n")).find("in global coordinates"),
+              std::string::npos)
+        << keyword;
+  }
+  EXPECT_NE(fault("*INSTANCE, NAME=A, PART=B\n1, 0, 0\n").find("an *INSTANCE that is moved"),
+            std::string::npos);
   EXPECT_EQ(
       fault("*HEADING\nnothing\n"),
       "mesh: expected nodes: *NODE of CalculiX, datasets 15 or 2411, or a table node, x, y, z, "

@@ -83,6 +83,9 @@ class StructureFolder {
     test::put(folder_.file("joint.json"),
               R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1e5, "density": []})");
   }
+  void put(const std::string& name, const std::string& text) const {
+    test::put(folder_.file(name), text);
+  }
   [[nodiscard]] StructureFile parse(const std::string& text = kText) const {
     return parse_structure(text, folder_.file("s.toml"));
   }
@@ -186,6 +189,19 @@ TEST(StructureFile, AWedgeOfCalculixIsTheRing) {
               return parse_structure(both, folder.file("s.toml"));
             }).find("must have axisymmetric elements alone, or none"),
             std::string::npos);
+}
+
+// Nothing else shows that matrices in inches and pounds are taken for those of SI: frequencies are
+// right.
+TEST(StructureFile, AsksForTheUnitOfMatricesBesideNodesOfAnother) {
+  const StructureFolder folder;
+  EXPECT_TRUE(folder.parse().warnings.empty());
+  folder.put("nodes.csv", "node [1],x [in],y [in],z [in]\n1,0,0,0\n2,0,0,0.1\n");
+  EXPECT_TRUE(folder.parse().warnings.empty()) << "length_unit is given";
+  const StructureFile file =
+      folder.parse(test::replaced(kText, "length_unit = \"mm\"\nforce_unit = \"kN\"\n", ""));
+  ASSERT_EQ(file.warnings.size(), 1U);
+  EXPECT_EQ(file.warnings[0].code, "matrix_units_assumed");
 }
 
 TEST(StructureFile, DampingRatiosAreViscous) {

@@ -186,6 +186,8 @@ MeshFile read_nodes(const TomlTable& top, std::string_view file, double length_u
     add_nodes(mesh.rotation_nodes, all.rotation_nodes);
     all.axisymmetric = all.axisymmetric || mesh.axisymmetric;
     all.beside_axisymmetric = all.beside_axisymmetric || mesh.beside_axisymmetric;
+    for (Warning& warning : mesh.warnings) all.warnings.push_back(std::move(warning));
+    if (mesh.own_unit != 1.0) all.own_unit = mesh.own_unit;
   }
   return all;
 }
@@ -351,6 +353,18 @@ void read_places(const TomlTable& top, std::string_view file, const NodeSets& se
   read.driven = read_driven_points(top, names, read_bases(top, read.structure));
 }
 
+/// Frequencies do not depend on the unit of length: nothing else shows that it is missing.
+void warn_of_units(const TomlTable& matrices, const MeshFile& mesh,
+                   std::vector<Warning>& warnings) {
+  if (mesh.own_unit == 1.0 || matrices.has("length_unit")) return;
+  warnings.push_back(
+      {"matrix_units_assumed",
+       fmt::format("{} is missing, and the matrices are taken as of m and N, but the nodes are in "
+                   "units of {:g} m. If the matrices are so too, give length_unit and force_unit; "
+                   "if they are not, length_unit = \"m\"",
+                   matrices.name("length_unit"), mesh.own_unit)});
+}
+
 StructureFile read_with_matrices(const TomlTable& top, std::string_view file) {
   top.allow_only({"schema", "matrices", "test", "nodes", "set", "support", "point", "joint",
                   "modes", "base", "excitation", "static_load", "response", "accelerometer"});
@@ -366,6 +380,8 @@ StructureFile read_with_matrices(const TomlTable& top, std::string_view file) {
   const NodeSets sets(top, mesh);
   read_support_tables(top, sets, read);
   read_places(top, file, sets, read);
+  read.warnings = std::move(mesh.warnings);
+  warn_of_units(matrices, mesh, read.warnings);
   read.structure.matrices = read_matrices(matrices, file, units, mesh);
   complete_ring(matrices, mesh, read);
   read.structure.nodes_without_element = without_element(mesh, read.structure.matrices.degrees);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/documents/structure/model_parts.hpp"
 #include "microslip/documents/structure/tested_structure.hpp"
 #include "microslip/structure/meshed_structure.hpp"
@@ -65,7 +66,7 @@ struct StructureFile {
   DampingLaw law = DampingLaw::kHysteretic;  ///< of the damping
   std::vector<JointSource> sources = {};     ///< of each joint
   DrivenPoints driven = {};                  ///< and measured points
-  std::vector<Warning> warnings = {};        ///< about the matrices
+  std::vector<Warning> warnings = {};        ///< on its matrices and nodes
 };
 
 /// Reads the files it names, too.

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <system_error>
+#include <unordered_map>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -23,6 +25,8 @@ namespace {
 constexpr int kDeepestInclude = 16;
 /// Longer lines are none of the format; the name goes into messages.
 constexpr std::size_t kLongestInclude = 256;
+/// CalculiX and Abaqus read no more of a number.
+constexpr std::size_t kLongestNumber = 20;
 /// That GENERATE and sets in sets put there: more than the nodes of any mesh that is taken.
 constexpr std::size_t kMostInSets = kMostDegreesOfFreedom / 2;
 
@@ -54,6 +58,28 @@ std::vector<std::int64_t> each_once(std::vector<std::int64_t> nodes) {
   return nodes;
 }
 
+/// A coordinate as CalculiX and Abaqus read it: nothing is 0, D stands for the exponent as E does,
+/// and blanks within count for nothing.
+std::optional<double> coordinate_of(std::string_view cell) {
+  std::string text;
+  for (const char c : cell) {
+    if (c != ' ' && c != '\t') text += c == 'D' || c == 'd' ? 'e' : c;
+  }
+  return text.empty() ? std::optional(0.0) : number_of<double>(text);
+}
+
+/// Keywords that make nodes or move them, where what stands in the file is not what is meant.
+bool makes_nodes(std::string_view keyword) {
+  constexpr std::array<std::string_view, 5> kKeywords{"*SYSTEM", "*NMAP", "*NCOPY", "*NGEN",
+                                                      "*NFILL"};
+  return std::ranges::find(kKeywords, keyword) != kKeywords.end();
+}
+
+[[noreturn]] void throw_not_global(const TextPlace& place, std::string_view found) {
+  throw FormatError(place, "nodes in global coordinates", found,
+                    "Give the nodes in a table: node [1], x [m], y [m], z [m].");
+}
+
 class InputReader {
  public:
   explicit InputReader(double length_unit) : length_unit_(length_unit) {}
@@ -80,16 +106,19 @@ class InputReader {
         add_element(line);
       } else if (section.kind == Section::kConstraint) {
         add_constraint(line);
+      } else if (section.kind == Section::kInstance) {
+        throw_not_global(place, "an *INSTANCE that is moved");
       }
     }
   }
 
   MeshFile result() && {
-    MeshFile mesh{std::move(nodes_), {}};
+    MeshFile mesh{.nodes = std::move(nodes_)};
     mesh.element_nodes = each_once(std::move(element_nodes_));
     mesh.rotation_nodes = each_once(std::move(rotation_nodes_));
     mesh.axisymmetric = axisymmetric_;
     mesh.beside_axisymmetric = beside_axisymmetric_;
+    mesh.warnings = std::move(warnings_);
     for (const std::string& name : order_) {
       mesh.sets.push_back({name, each_once(std::move(sets_[name]))});
     }
@@ -98,7 +127,7 @@ class InputReader {
 
  private:
   struct Section {
-    enum Kind { kOther, kNodes, kSet, kElements, kConstraint };
+    enum Kind { kOther, kNodes, kSet, kInstance, kElements, kConstraint };
     Kind kind = kOther;
     std::string set;  ///< empty where nodes are in none
     bool generate = false;
@@ -110,12 +139,14 @@ class InputReader {
     Section section;
     std::string include;
     std::string type;
+    std::string system = "R";
     for (std::size_t i = 1; i < cells.size(); ++i) {
       const std::size_t equals = cells[i].find('=');
       const std::string key = in_capitals(trimmed(cells[i].substr(0, equals)));
       const std::string_view value =
           equals == std::string_view::npos ? "" : trimmed(cells[i].substr(equals + 1));
       if (key == "NSET") section.set = in_capitals(value);
+      if (key == "SYSTEM") system = in_capitals(value);
       if (key == "GENERATE") section.generate = true;
       if (key == "INPUT") include = value;
       if (key == "TYPE") type = in_capitals(value);
@@ -129,13 +160,17 @@ class InputReader {
     mean_rotation_ = false;
     if (keyword == "*NODE") section.kind = Section::kNodes;
     if (keyword == "*NSET") section.kind = Section::kSet;
+    if (keyword == "*INSTANCE") section.kind = Section::kInstance;
     if (section.kind == Section::kSet && section.set.empty()) {
       throw FormatError(place, "*NSET, NSET=NAME", in_quotes(line));
     }
     if (keyword == "*INCLUDE") include_file(include, place, depth);
-    if (keyword == "*SYSTEM") {
-      throw FormatError(place, "nodes in global coordinates", "*SYSTEM",
-                        "Give the nodes in a table: node [1], x [m], y [m], z [m].");
+    if (makes_nodes(keyword)) throw_not_global(place, keyword);
+    if (section.kind == Section::kNodes && system != "R") {
+      throw FormatError(
+          place, "nodes in x, y and z", in_quotes(line),
+          "Give the nodes in a table: node [1], x [m], y [m], z [m]. CalculiX ignores "
+          "SYSTEM: for its matrices remove it.");
     }
     const bool has_set = section.kind == Section::kNodes || section.kind == Section::kSet;
     if (has_set && !section.set.empty()) set_of(section.set);
@@ -203,14 +238,35 @@ class InputReader {
     const std::vector<std::string_view> cells = cells_of(line);
     MeshNode node{.number = node_number(cells.front(), place), .position = {}};
     for (std::size_t k = 0; k < 3 && k + 1 < cells.size(); ++k) {
-      const std::optional<double> value = number_of<double>(cells[k + 1]);
+      const std::string_view cell = cells[k + 1];
+      const std::optional<double> value = coordinate_of(cell);
       if (!value || !std::isfinite(*value)) {
-        throw FormatError(place, "a coordinate", in_quotes(cells[k + 1]));
+        throw FormatError(place, "a coordinate", in_quotes(cell));
       }
+      if (cell.size() > kLongestNumber) warn_of_length(cell, place);
       node.position[k] = *value * length_unit_;
     }
     if (!set.empty()) set_of(set).push_back(node.number);
-    nodes_.push_back(node);
+    const auto [known, is_new] = indices_.try_emplace(node.number, nodes_.size());
+    if (is_new) {
+      nodes_.push_back(node);
+    } else {
+      nodes_[known->second] = node;  // the last one counts, as in CalculiX
+    }
+  }
+
+  /// Once per reading; the digits that are cut may be those of the exponent.
+  void warn_of_length(std::string_view cell, const TextPlace& place) {
+    const std::optional<double> cut = coordinate_of(cell.substr(0, kLongestNumber));
+    if (!warnings_.empty() || (cut && *cut == *coordinate_of(cell))) return;
+    warnings_.push_back(
+        {"numbers_cut",
+         fmt::format("{}: the coordinate {} has {} characters, of which CalculiX and Abaqus read "
+                     "{}: {}. Their matrices are then of another body than these nodes. Write "
+                     "shorter numbers and compute the matrices again",
+                     place_text(place), in_quotes(cell), cell.size(), kLongestNumber,
+                     cut ? fmt::format("{:.6g} instead of {:.6g}", *cut, *coordinate_of(cell))
+                         : std::string("no number"))});
   }
 
   void add_to_set(std::string_view line, const TextPlace& place, const Section& section) {
@@ -263,6 +319,8 @@ class InputReader {
 
   double length_unit_;
   std::vector<MeshNode> nodes_;
+  std::unordered_map<std::int64_t, std::size_t> indices_;  // of nodes, by number
+  std::vector<Warning> warnings_;
   std::map<std::string, std::vector<std::int64_t>> sets_;
   std::vector<std::string> order_;
   std::vector<std::int64_t> element_nodes_;

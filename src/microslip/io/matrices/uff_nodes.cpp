@@ -63,6 +63,7 @@ MeshFile read_uff_nodes(const std::string& path, double length_unit) {
     switch (dataset->number) {
       case 164:
         metres = 1.0 / read_uff164(envelope).length;
+        mesh.own_unit = metres;
         break;
       case 15:
         read_nodes_15(envelope, metres, mesh);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/open/mesh_file.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -32,6 +34,13 @@ std::string_view first_line(std::string_view head) {
   return {};
 }
 
+double unit_of_column(const CsvTable& table, std::string_view name) {
+  const auto column = std::ranges::find(table.columns(), name, &CsvColumn::name);
+  const bool given = column != table.columns().end() && column->unit;
+  const std::optional<Unit> unit = given ? find_unit(*column->unit) : std::nullopt;
+  return unit ? unit->factor() : 1.0;
+}
+
 MeshFile parse_node_table(std::string text, const std::string& file) {
   const CsvTable table(std::move(text), file);
   const std::vector<double> number = table.numbers("node", kDimensionless);
@@ -39,6 +48,7 @@ MeshFile parse_node_table(std::string text, const std::string& file) {
   const std::vector<double> y = table.numbers("y", kLength);
   const std::vector<double> z = table.numbers("z", kLength);
   MeshFile mesh;
+  mesh.own_unit = unit_of_column(table, "x");
   for (std::size_t i = 0; i < number.size(); ++i) {
     const bool whole = number[i] >= 1.0 && number[i] <= 1e15 && number[i] == std::floor(number[i]);
     if (!whole) table.reject(i, "node", "the number of a node");
