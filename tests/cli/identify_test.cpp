@@ -86,7 +86,7 @@ TEST(identify, TellsOfAnAtomBesideTheDensity) {
   expect_done(box, {"identify", "l.csv", "--stiffness", "2e5", "--atom", "--out", "joint.json",
                     "--density-csv", "density.csv"});
   const std::string table = box.get("density.csv");
-  EXPECT_TRUE(table.starts_with("# not in the density: an atom of weight 0.")) << table;
+  EXPECT_NE(table.find("\n# not in the density: an atom of weight 0."), std::string::npos) << table;
   EXPECT_FALSE(read_density(box.file("density.csv")).density.empty());
 }
 

@@ -22,9 +22,12 @@ constexpr std::array<std::size_t, 2> kWindows = {4, 8};
 constexpr double kSignificant = 40.0;
 /// In the window in which it is seen it leaves less than this share of what a smooth path does.
 constexpr double kClearly = 1.0 / 3.0;
-/// In the end it leaves the noise, to this factor of the variance, or this share.
+/// In the end it leaves the noise, to this factor of the variance, or this share and, as root of the
+/// sum of squares, less than this share of what the velocity changes in a sample: a corner that is
+/// rounded over a sample leaves a quarter of it.
 constexpr double kNoiseAlone = 2.0;
 constexpr double kShareLeft = 1e-2;
+constexpr double kSharp = 0.05;
 /// Samples on each side of a corner that its place is found from.
 constexpr std::size_t kFewestBeside = 4;
 constexpr int kSteps = 6;
@@ -231,10 +234,12 @@ std::optional<PathCorner> corner_of(std::span<const double> path, double at, std
   const Fitted smooth =
       fit(path, from, to, 6, [&](double i, Eigen::VectorXd& one) { powers(i, 6, one); });
   const double freedom = static_cast<double>(to - from) - 6.0;
+  const double change = 2.0 * with.coefficients(4) / half;
+  const bool sharp = with.left <= kSharp * change * kSharp * change;
   const bool explained = with.left <= kNoiseAlone * variance * std::max(freedom, 1.0) ||
-                         with.left <= kShareLeft * smooth.left;
+                         (sharp && with.left <= kShareLeft * smooth.left);
   if (!explained || smooth.left - with.left <= kSignificant * variance) return {};
-  return PathCorner{at, 2.0 * with.coefficients(4) / half};
+  return PathCorner{at, change};
 }
 
 /// The corner near `at` by as many samples as follow its model, up to its neighbours.

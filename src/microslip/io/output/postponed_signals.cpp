@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/output/postponed_signals.hpp"
 
-#include <pthread.h>
-
 #include <atomic>
 
 namespace microslip {
