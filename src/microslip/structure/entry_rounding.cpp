@@ -14,7 +14,8 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kMostLookedAt = 20'000;
-constexpr std::size_t kLeastEntries = 4;
+/// A uniform mesh of short numbers has a dozen different entries, exact ones.
+constexpr std::size_t kLeastEntries = 50;
 constexpr int kFewestDigits = 6;  // of fewer, a number may well be exact
 constexpr int kMostDigits = 15;   // that a double keeps
 constexpr double kSingleRounding = 0x1p-24;
@@ -63,8 +64,8 @@ double entry_rounding(const SymmetricEntries& entries) {
   if (digits.size() < kLeastEntries) return 0.0;
   const int most = *std::ranges::max_element(digits);
   const auto with_all = static_cast<std::size_t>(std::ranges::count(digits, most));
-  if (most < kFewestDigits || 2 * with_all < digits.size()) return 0.0;
   if (most > kMostDigits) return std::ranges::all_of(sizes, is_single) ? kSingleRounding : 0.0;
+  if (most < kFewestDigits || 2 * with_all < digits.size()) return 0.0;
   return 5.0 * std::pow(10.0, -most);
 }
 

@@ -8,7 +8,7 @@ namespace microslip {
 /// The largest relative error of the entries of a matrix by the digits that they were written with,
 /// beyond that of a double: 5·10⁻ᵈ of d decimal digits, 2⁻²⁴ of numbers of single precision. A
 /// matrix counts as rounded to d digits, 6 to 15, where none of its entries has more, and most of
-/// four different ones or more have all of them; of whole numbers as of others written in full that
+/// fifty different ones or more have all of them; of whole numbers as of others written in full that
 /// is not so. At most 20 000 entries are looked at.
 /// @return 0 where the entries show no rounding.
 [[nodiscard]] double entry_rounding(const SymmetricEntries& entries);

@@ -17,7 +17,6 @@
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/dynamics/structure/jointed_structure.hpp"
 #include "microslip/modes/structure_modes.hpp"
-#include "microslip/structure/entry_rounding.hpp"
 #include "microslip/structure/modal_model.hpp"
 
 namespace py = pybind11;
@@ -228,7 +227,6 @@ MeshedStructure meshed_structure_of(std::size_t size, const py::tuple& stiffness
                                     const py::tuple& mass, const py::dict& on_it) {
   MeshedStructure all;
   all.matrices = {.stiffness = entries_of(size, stiffness), .mass = entries_of(size, mass)};
-  all.matrices.stiffness_rounding = entry_rounding(all.matrices.stiffness);
   if (const auto held = on_it["held"].cast<std::vector<std::size_t>>(); !held.empty()) {
     all.supports.push_back({.name = "held", .nodes = {}, .rows = held});
   }
