@@ -19,6 +19,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/open/recording_file.hpp"
 #include "microslip/io/output/output_files.hpp"
+#include "microslip/signal/recording/resampling.hpp"
 #include "microslip/workflow/reduce/recording_conversion.hpp"
 #include "microslip/workflow/reduce/recording_list.hpp"
 #include "microslip/workflow/text/quantity_text.hpp"
@@ -33,6 +34,7 @@ struct ConvertOptions {
   std::string format;
   std::string recording;
   std::vector<std::string> channels;
+  std::string resample;
   RecordingArguments reading;
   bool list = false;
   bool replace = false;
@@ -62,6 +64,12 @@ void check_count(const ConvertOptions& options, RecordingFormat format, std::siz
                    "Choose it with --recording N (see --list), or write uff, mat or h5.");
 }
 
+void resample(const std::string& rate, std::vector<Recording>& recordings) {
+  if (rate.empty()) return;
+  const double hertz = parse_quantity("--resample", rate, kFrequency);
+  for (Recording& recording : recordings) recording = resampled(recording, hertz);
+}
+
 void print_summary(const ConvertOptions& options, const std::vector<Recording>& recordings) {
   std::size_t channels = 0;
   for (const Recording& recording : recordings) channels += recording.channels.size();
@@ -84,6 +92,7 @@ int list(const ConvertOptions& options, bool quiet) {
   if (!quiet) show_warnings(found.warnings);
   choose_recording(options, found.recordings);
   choose_channels(options.channels, found.recordings);
+  resample(options.resample, found.recordings);
   print_text(stdout, fmt::format("{}{}", list_recordings(found), list_mode_shapes(mode_shapes)));
   return kDone;
 }
@@ -96,6 +105,7 @@ int convert(const ConvertOptions& options, bool quiet) {
   choose_recording(options, found.recordings);
   check_count(options, format, found.recordings.size());
   choose_channels(options.channels, found.recordings);
+  resample(options.resample, found.recordings);
   add_warning_attributes(found.warnings, found.recordings);
   OutputFiles files;
   write_recordings(files, options.out, found.recordings, format, replacing);
@@ -128,6 +138,10 @@ void add_options(CLI::App& command, ConvertOptions& options) {
                      "Number of the recording to take, from 1, where the file has several");
   command.add_option("--channel", options.channels, "Channel to take; may be repeated")
       ->allow_extra_args(false);
+  command.add_option(
+      "--resample", options.resample,
+      "Sampling rate of even times to interpolate at, in Hz; the mean rate or above, "
+      "for no filter is applied");
   command.add_flag(
       "--replace", options.replace,
       "Replace an existing recording of this format; without it one of another content "

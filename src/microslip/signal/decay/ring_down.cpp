@@ -18,6 +18,7 @@
 #include "microslip/signal/decay/decay_track.hpp"
 #include "microslip/signal/decay/ring_down_reading.hpp"
 #include "microslip/signal/decay/ring_down_sensors.hpp"
+#include "microslip/signal/recording/resampling.hpp"
 
 namespace microslip {
 namespace {
@@ -87,10 +88,7 @@ MotionSignal motion_of(const Recording& recording, std::string_view name) {
   const bool moves = chosen.dimension == kVelocity || chosen.dimension == kAcceleration;
   const Dimension measured = moves ? *chosen.dimension : kLength;
   const std::span<const double> values = recording.signal(name, measured);
-  if (!recording.axis.even()) {
-    throw InputError(recording.source + ": times", "uneven", "must be evenly spaced",
-                     "Resample the record.");
-  }
+  if (!recording.axis.even()) throw uneven_times(recording);
   return {values, measured};
 }
 

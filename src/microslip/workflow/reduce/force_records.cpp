@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "microslip/base/units.hpp"
+#include "microslip/signal/recording/resampling.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
 
 namespace microslip {
@@ -47,11 +48,7 @@ ForceRecord force_record(const Recording& recording, const JointChannels& channe
   ForceRecord record;
   record.force = values_of(recording, force, kForce);
   record.displacement = values_of(recording, displacement, kLength);
-  if (!recording.axis.even()) {
-    throw InputError(recording.source + ": time", InputState{"not evenly spaced"},
-                     "must be evenly spaced to distinguish motion from noise",
-                     "Resample the recording at its mean rate.");
-  }
+  if (!recording.axis.even()) throw uneven_times(recording);
   record.time_step = recording.axis.step;
   return record;
 }
