@@ -95,13 +95,20 @@ bool failed(const Sandbox& box, const Arguments& call, const std::string& what, 
 }
 
 TEST_P(BadDisk, ThatFailsLateLeavesNothing) {
-  for (const char* call : {"close", "fsync", "rename"}) {
+  for (const char* call : {"close", "fsync", "link"}) {
     int number = 1;
     while (!HasFailure() && failed(box_, GetParam().call, call, number)) ++number;
     EXPECT_GT(number, 1) << "never called: " << call;
     if (HasFailure()) return;
     remove_made();
   }
+}
+
+TEST_P(BadDisk, ThatFailsAmongNamesLeavesTheOldFiles) {
+  expect_made();
+  int number = 1;
+  while (!HasFailure() && failed(box_, GetParam().call, "rename", number)) ++number;
+  EXPECT_GT(number, 1) << "never called: rename";
 }
 
 /// The call where the first lock of a file below the folder fails.
@@ -126,7 +133,7 @@ TEST(DiskWithoutLocks, TakesEnsemblesAndGivesDraws) {
           "levels = \"levels.csv\"\nstiffness_N_per_m = 1.7e5\ncount = 20\n");
   const Outcome ensemble = run_without_lock(box, {"ensemble", "plan.toml", "--out", "r.h5"});
   EXPECT_EQ(ensemble.status, 0) << ensemble.err;
-  EXPECT_NE(ensemble.out.find("the file system has no locks"), std::string::npos) << ensemble.out;
+  EXPECT_NE(ensemble.err.find("the file system has no locks"), std::string::npos) << ensemble.err;
   EXPECT_TRUE(box.has("r.h5"));
   ASSERT_EQ(box.run({"identify", "levels.csv", "--stiffness", "1.7e5", "--samples", "20", "--out",
                      "j.json", "--samples-out", "s.h5"})

@@ -19,7 +19,7 @@
 /// tells which:
 ///
 ///     MICROSLIP_FAILING_FOLDER  the folder, absolute and without links
-///     MICROSLIP_FAILING_CALL    close, flock, fsync or rename
+///     MICROSLIP_FAILING_CALL    close, flock, fsync, link or rename
 ///     MICROSLIP_FAILING_NUMBER  the how manieth of them, from 1
 ///     MICROSLIP_FAILED          a file that is made when it has failed
 ///     MICROSLIP_FAILING_SIGNAL  the number of the signal that comes; without it, the call fails
@@ -99,6 +99,11 @@ int flock(int file, int operation) {
 int fsync(int file) {
   if (is_below_folder(file) && fails("fsync")) return -1;
   return next<int(int)>("fsync")(file);
+}
+
+int link(const char* from, const char* to) noexcept {
+  if (is_named_below_folder(to) && fails("link")) return -1;
+  return next<int(const char*, const char*)>("link")(from, to);
 }
 
 int rename(const char* from, const char* to) noexcept {

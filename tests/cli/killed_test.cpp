@@ -320,11 +320,11 @@ TEST_P(KilledBefore, EachCallOfTheSystem) {
   const auto writings = all_calls();
   const auto writing = std::ranges::find(writings, GetParam(), &Writing::out);
   const Killed one(*writing);
-  for (const char* what : {"close", "fsync", "rename"}) {
+  for (const std::string what : {"close", "fsync", "link", "rename"}) {
     const auto step = [](int number) { return number < 3 || test::in_studies() ? 1 : 3; };
     for (int number = 1; !HasFailure(); number += step(number)) {
       SCOPED_TRACE(fmt::format("before {} {}", what, number));
-      const bool replaced = number % 2 == 0;
+      const bool replaced = number % 2 == 0 || what == "rename";  // new files get theirs by link
       if (!replaced) one.clear();
       const bool came = killed_before(one, what, number);
       one.check_after(SIGKILL, replaced);

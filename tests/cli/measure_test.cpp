@@ -208,6 +208,19 @@ TEST(measure, ReplacesNothingThatItDidNotWrite) {
                  {"must not contain level_01.csv that is not of a virtual test"});
 }
 
+// A recording of a laboratory that lies among those of a virtual test, before that is solved.
+TEST(measure, ReplacesNoRecordingAmongItsOwn) {
+  const std::string rig = edited(rig_text(4), "from_m_per_s2 = 0.294, to_m_per_s2 = 39.24",
+                                 "from_m_per_s2 = 2000, to_m_per_s2 = 4000");
+  const Sandbox box = sandbox();
+  expect_done(box, {"measure", "rig.toml", "--out", "test", "--quiet"});
+  box.put("rig.toml", rig);
+  const std::string record = box.get("test/level_01.csv");
+  box.put("test/level_01.csv", record.substr(record.find('\n') + 1));
+  expect_refused(box, {"measure", "rig.toml", "--out", "test"},
+                 {"test/level_01.csv", "was not written by microslip"});
+}
+
 TEST(measure, WarnsOfAnotherStiffness) {
   const Sandbox box =
       sandbox(edited(rig_text(1), "stiffness_N_per_m = 1.7e5", "stiffness_N_per_m = 1.8e5"));

@@ -96,6 +96,21 @@ TEST(Replacing, NoSecondRecordingOfAPattern) {
   expect_done(box, {"convert", "level_1.csv", "level_2.csv"});
 }
 
+// Recordings in CSV have the columns, and the lines above them, of their writers.
+TEST(Replacing, ARecordingOfOtherColumnsWhereItIsGivenUp) {
+  const Sandbox box{{"in.csv", recording_text(1)},
+                    {"other.csv", "time [s],b [N]\n0,1\n1,2\n2,1\n"},
+                    {"logger.csv", "Logger 7\nOperator,N.N.\ntime [s],b [N]\n0,1\n1,2\n2,1\n"},
+                    {"levels.csv", sample_levels_text()}};
+  for (const char* out : {"other.csv", "logger.csv"}) {
+    expect_refused(box, {"convert", "in.csv", out}, {out, "exists"});
+    expect_done(box, {"convert", "in.csv", out, "--replace", "--quiet"});
+    EXPECT_NE(box.get(out).find("acc1"), std::string::npos);
+  }
+  expect_refused(box, {"convert", "in.csv", "levels.csv", "--replace"},
+                 {"levels.csv", "a table of levels"});
+}
+
 TEST(Replacing, NoFileWrittenByHand) {
   const Sandbox box{{"levels.csv", sample_levels_text()},
                     {"joint.json", kJointText},

@@ -67,7 +67,7 @@ void fail_hdf5(std::string_view place, std::string_view expected) {
 
 Hdf5Handle hdf5_access() {
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-#if H5_VERSION_GE(1, 10, 7)
+#if H5_VERSION_GE(1, 12, 1) || (H5_VERSION_GE(1, 10, 7) && !H5_VERSION_GE(1, 12, 0))
   H5Pset_file_locking(access.id(), false, true);
 #endif
   return access;

@@ -29,6 +29,7 @@ constexpr std::array kFormatMarks{
     FormatMark{"an SVG picture", "<desc>Produced by microslip "},
     FormatMark{"a PNG picture", std::string_view("Software\0microslip ", 19)},
     FormatMark{"a PDF document", "/Producer (microslip "},
+    FormatMark{"a PDF document", "\n% microslip "},  // its last line
     FormatMark{"an HTML page", "<meta name=\"generator\" content=\"microslip report\">"},
 };
 
@@ -59,8 +60,9 @@ bool has_own_mark(std::string_view content) {
   if (content.starts_with(kJournalKind)) return true;
   const std::string_view format = signature(content);
   if (format.empty()) return has_heading(content);
-  const auto* const found = std::ranges::find(kFormatMarks, format, &FormatMark::signature);
-  return found != kFormatMarks.end() && content.find(found->mark) != std::string_view::npos;
+  return std::ranges::any_of(kFormatMarks, [&](const FormatMark& one) {
+    return one.signature == format && content.find(one.mark) != std::string_view::npos;
+  });
 }
 
 bool is_own_file(const std::string& path) {

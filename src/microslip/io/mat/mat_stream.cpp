@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
 
 #include "microslip/io/bytes/input_file.hpp"
@@ -104,10 +105,11 @@ std::size_t MatInflateStream::read_some(char* to, std::size_t size) {
   return size - state_.avail_out;
 }
 
-void MatInflateStream::finish(bool must_have_ended) {
-  char more = 0;
-  if (must_have_ended && !ended_ && read_some(&more, 1) != 0)
-    fail("the end of the variable", "more bytes");
+void MatInflateStream::finish(bool was_read) {
+  std::array<char, 4096> more{};
+  while (!ended_ && read_some(more.data(), was_read ? 1 : more.size()) != 0) {
+    if (was_read) fail("the end of the variable", "more bytes");
+  }
   file_.skip(compressed_);
 }
 

@@ -79,9 +79,9 @@ class MatInflateStream : public MatStream {
 
   [[nodiscard]] std::size_t at_most() const override;
 
-  /// Goes behind the compressed data. @param must_have_ended  checks that nothing follows what was
-  /// read, and the checksum of the whole.
-  void finish(bool must_have_ended);
+  /// Goes behind the compressed data, and checks the checksum of the whole.
+  /// @param was_read  nothing may follow what was read; else the rest is passed over.
+  void finish(bool was_read);
   /// Goes on to the end of the element in the file.
   void abandon() { file_.skip(compressed_); }
 

@@ -121,11 +121,21 @@ OutputTarget checked_target(const std::string& path) {
   return target;
 }
 
-void check_kind(const std::string& path, const std::string& target, std::string_view kind) {
+/// Whether a file that the user gave up is of a kind that another may replace: recordings in CSV are
+/// of as many kinds as they have channels.
+bool is_given_up(std::string_view old_kind, std::string_view kind, Replacing replacing) {
+  constexpr std::string_view kAnyTable = "a table of '";
+  return replacing == Replacing::kAny && old_kind.starts_with(kAnyTable) &&
+         kind.starts_with(kAnyTable);
+}
+
+void check_kind(const std::string& path, const std::string& target, std::string_view kind,
+                Replacing replacing) {
   const std::string old_head = read_kind_head(target);
   if (old_head.empty()) return;
   const std::string old_kind = file_kind(old_head);
   if (!kind.empty() && old_kind == kind) return;
+  if (is_given_up(old_kind, kind, replacing)) return;
   throw FileError(path,
                   fmt::format("exists and contains {}; it would be replaced by {}",
                               old_kind.empty() ? "something else" : old_kind,
@@ -244,6 +254,20 @@ struct Placed {
   }
 };
 
+/// Gives a file its name where there was none: what another process put there meanwhile stays.
+void give_new_name(const std::string& path, const std::string& target, Temporary& temporary) {
+  if (::link(temporary.path().c_str(), target.c_str()) == 0) return;
+  if (errno == EEXIST) {
+    throw FileError(path, "appeared while its content was computed; it would be replaced",
+                    "Move it away or choose another name.");
+  }
+  const bool has_links = errno != EPERM && errno != EOPNOTSUPP && errno != ENOSYS &&
+                         errno != EINVAL && errno != EMLINK;
+  if (has_links) fail_to_write(path, errno);
+  if (::rename(temporary.path().c_str(), target.c_str()) != 0) fail_to_write(path, errno);
+  temporary.keep();
+}
+
 std::optional<Temporary> second_name(const std::string& target, const std::string& temporary) {
   std::optional<Temporary> old(temporary + kOldSuffix);
   if (::link(target.c_str(), old->path().c_str()) != 0) old.reset();
@@ -256,7 +280,7 @@ void check_output(const std::string& path, std::string_view kind, Replacing repl
   if (path == "-") return;
   const OutputTarget target = checked_target(path);
   if (!target.replaced) return;
-  if (!kind.empty()) check_kind(path, target.file, kind);
+  if (!kind.empty()) check_kind(path, target.file, kind, replacing);
   if (replacing == Replacing::kOwn) check_own(path, target.file);
 }
 
@@ -279,7 +303,8 @@ std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::str
   const auto same = [&](const File& file) { return is_same_file(file.target, target.file); };
   if (std::any_of(files_.begin(), files_.end(), same)) fail_twice(path);
   auto created = create_beside(path, target);
-  File& file = files_.emplace_back(File{path, target.file, std::move(created.first), replacing});
+  File& file = files_.emplace_back(
+      File{path, target.file, std::move(created.first), replacing, target.replaced.has_value()});
   return {&file, std::move(created.second)};
 }
 
@@ -301,15 +326,16 @@ std::string OutputFiles::stage(const std::string& path, Replacing replacing) {
   return file->temporary.path();
 }
 
-void OutputFiles::check_all() const {
-  for (const File& file : files_) {
+/// The disk may take seconds, in which others write: it comes before the checks.
+void OutputFiles::check_all() {
+  for (const File& file : files_) flush_to_disk(file.path, file.temporary.path());
+  for (File& file : files_) {
     const OutputTarget target = checked_target(file.path);
     const std::string& temporary = file.temporary.path();
-    if (target.replaced) {
-      check_kind(file.path, target.file, file_kind(read_kind_head(temporary)));
-      check_may_be_replaced(file.path, target.file, temporary, file.replacing);
-    }
-    flush_to_disk(file.path, temporary);
+    file.replaces = target.replaced.has_value();
+    if (!file.replaces) continue;
+    check_kind(file.path, target.file, file_kind(read_kind_head(temporary)), file.replacing);
+    check_may_be_replaced(file.path, target.file, temporary, file.replacing);
   }
 }
 
@@ -332,13 +358,17 @@ void OutputFiles::give_names() {
   placed.reserve(files_.size());
   try {
     for (File& file : files_) {
-      const bool replaced = fs::exists(fs::symlink_status(file.target));
-      auto old = replaced ? second_name(file.target, file.temporary.path()) : std::nullopt;
+      if (!file.replaces) {
+        give_new_name(file.path, file.target, file.temporary);
+        placed.push_back({file.target, false, {}});
+        continue;
+      }
+      auto old = second_name(file.target, file.temporary.path());
       if (::rename(file.temporary.path().c_str(), file.target.c_str()) != 0) {
         fail_to_write(file.path, errno);
       }
       file.temporary.keep();
-      placed.push_back({file.target, replaced, std::move(old)});
+      placed.push_back({file.target, true, std::move(old)});
     }
     for (const File& file : files_) flush_folder(file.path, file.target);
   } catch (...) {

@@ -81,10 +81,11 @@ class OutputFiles {
     std::string target;  ///< behind links
     Temporary temporary;
     Replacing replacing;
+    bool replaces;  ///< whether a file was there when it was last looked at
   };
 
   std::pair<File*, FileDescriptor> create(const std::string& path, Replacing replacing);
-  void check_all() const;
+  void check_all();
   void give_names();
 
   std::vector<File> files_;

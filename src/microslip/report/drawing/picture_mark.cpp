@@ -35,6 +35,23 @@ std::string big_endian(std::uint32_t number) {
   return bytes;
 }
 
+/// A PDF file counts its bytes, so the text keeps its length.
+/// @return whether the producer stands there so that it can be told.
+bool mark_producer(std::string& picture) {
+  constexpr std::string_view kKey = "/Producer (";
+  constexpr std::string_view kEnd = "))";  // of "(cairo 1.16.0 (https://cairographics.org))"
+  const std::size_t at = picture.find(kKey);
+  const std::size_t end = at == std::string::npos ? at : picture.find(kEnd, at);
+  if (end == std::string::npos) return false;
+  const std::size_t start = at + kKey.size();
+  const std::size_t length = end + 1 - start;
+  std::string text = program_text() + ", gnuplot, cairo";
+  if (picture.find('\n', at) < end || text.size() > length) return false;
+  text.resize(length, ' ');
+  picture.replace(start, length, text);
+  return true;
+}
+
 }  // namespace
 
 void mark_svg(std::string& picture) {
@@ -52,19 +69,9 @@ void mark_png(std::string& picture) {
                                    big_endian(cyclic_check(chunk)));
 }
 
-/// A PDF file counts its bytes, so the text keeps its length.
+/// Newer releases of cairo compress the producer: then a comment at the end, which moves no byte.
 void mark_pdf(std::string& picture) {
-  constexpr std::string_view kKey = "/Producer (";
-  constexpr std::string_view kEnd = "))";  // of "(cairo 1.16.0 (https://cairographics.org))"
-  const std::size_t at = picture.find(kKey);
-  const std::size_t end = at == std::string::npos ? at : picture.find(kEnd, at);
-  if (end == std::string::npos) return;
-  const std::size_t start = at + kKey.size();
-  const std::size_t length = end + 1 - start;
-  std::string text = program_text() + ", gnuplot, cairo";
-  if (picture.find('\n', at) < end || text.size() > length) return;
-  text.resize(length, ' ');
-  picture.replace(start, length, text);
+  if (!mark_producer(picture)) picture += "\n% " + program_text() + "\n";
 }
 
 }  // namespace microslip

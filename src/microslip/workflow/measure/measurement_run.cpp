@@ -187,16 +187,21 @@ void check_folder(const MeasurementRun& options, const Rig& rig, const RecordNam
   const std::vector<std::string> records =
       record_names(options, names, names.levels(), [](std::size_t) { return true; });
   check_strangers(options, records);
-  const auto check = [&](std::string_view name, std::string_view kind) {
-    // Of a file that is not of a virtual test, check_origin() says more.
-    check_output((fs::path(options.out) / name).string(), kind, Replacing::kAny);
+  const auto check = [&](Replacing replacing) {
+    const auto check_one = [&](std::string_view name, std::string_view kind) {
+      check_output((fs::path(options.out) / name).string(), kind, replacing);
+    };
+    check_one("truth.csv", kLevelsKind);
+    if (!keeps_rig(options)) check_one("rig.toml", kRigKind);
+    if (!options.no_shaker) check_one(kForceControlFile, kForceControlKind);
+    const std::string kind = record_kind(rig, names.format());
+    for (const std::string& name : records) check_one(name, kind);
   };
-  check("truth.csv", kLevelsKind);
-  check("rig.toml", kRigKind);
-  if (!options.no_shaker) check(kForceControlFile, kForceControlKind);
-  const std::string kind = record_kind(rig, names.format());
-  for (const std::string& name : records) check(name, kind);
+  // Of files that are not of a virtual test, check_origin() says more than that they are not of
+  // microslip.
+  check(Replacing::kSame);
   check_origin(options, records);
+  check(Replacing::kOwn);
 }
 
 /// After it: something must have been found, and an old record of a level that was not would pass
