@@ -66,8 +66,8 @@ bool are_strangers() {
       std::fprintf(
           stderr,
           "microslip-mpi: %s = %ld; the processes that were started do not know of each "
-          "other: this program is built with %s, and the launcher is of another MPI. Start "
-          "it with the mpirun of %s, or with srun --mpi=pmix.\n",
+          "other: this program is built with %s, and the launcher is of another MPI, or it was "
+          "started without one. Start it with the mpirun of %s, or with srun --mpi=pmix.\n",
           launcher.size, started, mpi.c_str(), mpi.c_str());
     }
     return true;

@@ -11,6 +11,7 @@
 #include "arguments/option_names.hpp"
 #include "arguments/printed_text.hpp"
 #include "arguments/progress_bar.hpp"
+#include "arguments/recording_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/ensemble/ensemble_run.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
@@ -47,6 +48,7 @@ EnsembleRun run_of(const EnsembleArguments& arguments, const Call& call) {
                   .keep_journals = arguments.keep_journals,
                   .command = call.command_line,
                   .progress = progress_bar("jobs", call.quiet)};
+  if (!call.quiet) run.warned = [](const Warning& warning) { show_warnings({warning}); };
   if (arguments.shard.empty()) return run;
   try {
     run.shard = EnsembleShard::parse(arguments.shard);

@@ -178,6 +178,13 @@ class Coordinator {
   void begin() {
     if (to_do_.empty()) return;
     writer_ = std::make_unique<JournalWriter>(own_journal(), prepared_.heading());
+    if (!writer_->is_locked() && run_.warned) {
+      run_.warned({"journal_not_locked",
+                   fmt::format("{}: the file system has no locks (Lustre: mount it with flock), so "
+                               "that nothing keeps another run from the same journal: start no two "
+                               "at once.",
+                               own_journal())});
+    }
     if (run_.progress) (void)run_.progress(done_.done_before, jobs_of_run_);
   }
 
@@ -190,13 +197,6 @@ class Coordinator {
       done_.journal = own_journal();
     } else {
       write_result();
-    }
-    if (writer_ && !writer_->is_locked()) {
-      done_.warnings.push_back(
-          {"journal_not_locked",
-           fmt::format("{}: the file system has no locks (Lustre: mount it with flock), so that "
-                       "nothing kept another run from the same journal: start no two at once.",
-                       own_journal())});
     }
     return std::move(done_);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct EnsembleRun {
   bool keep_journals = false;               ///< they stay where the result is written
   std::string command = {};                 ///< recorded in the table
   Progress progress = {};                   ///< of the jobs, those done before among them
+  /// What must be known of the run while it lasts, and is no part of its result.
+  std::function<void(const Warning&)> warned = {};
 };
 
 /// Result of run_ensemble().

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include <optional>
 #include <string>
@@ -82,9 +81,10 @@ LevelsIdentification level_options_of(const py::dict& given) {
   return all;
 }
 
-/// Levels from the columns of the package.
+/// What Levels.write() writes, from the columns of the package.
 std::string csv_of(const Levels& levels) {
   CsvWriter table = levels_table(levels);
+  table.add_comment(heading_of("microslip.Levels.write"));
   const auto add = [&](const char* name, const Dimension& dimension,
                        const std::vector<double>& values) {
     if (!values.empty()) table.add_numbers(name, dimension, values);
@@ -95,7 +95,7 @@ std::string csv_of(const Levels& levels) {
   return table.str();
 }
 
-/// The input recorded in joint.json for levels that came as arrays.
+/// The input recorded in joint.json for levels that came as arrays: the file that they would be.
 NamedInput input_of(const Levels& levels) { return {"arrays", csv_of(levels)}; }
 
 py::object draws_or_none(const Identification& found, const Provenance& provenance) {
@@ -249,10 +249,7 @@ void add_identification(py::module_& core) {
             parse_levels(text, "levels", {.linear_dissipation = LinearLossColumn::kUsed}))
             .levels);
   });
-  core.def("levels_csv", [](const py::dict& columns) {
-    return fmt::format("# {}\n{}", heading_of("microslip.Levels.write"),
-                       csv_of(levels_of(columns)));
-  });
+  core.def("levels_csv", [](const py::dict& columns) { return csv_of(levels_of(columns)); });
 }
 
 }  // namespace microslip::python

@@ -264,7 +264,8 @@ void visit_calibrated(RecordValues& values, IdentifiedJoint& joint) {
   values.one("covered_from_N", joint.covered_from);
   values.one(std::string(kCoveredToKey), joint.covered_to);
   visit_remainder(values, joint);
-  visit_banded(values, "stiffness_N_per_m", found.stiffness);
+  values.needed("stiffness_N_per_m", found.stiffness.value);
+  values.pair("band_stiffness_N_per_m", found.stiffness.lower, found.stiffness.upper);
   visit_banded(values, "elastic_stiffness_N_per_m", found.elastic);
   values.one("band_confidence", joint.band_confidence);
   visit_band_edges(values, joint);

@@ -122,11 +122,11 @@ class RigJoint : public CampaignJoints {
 
   [[nodiscard]] std::vector<ResultFile> files(const DoneCampaign& all) override {
     // Warnings on the tests together belong to the joint, in addition to those on its levels.
-    Identification told = identified_->found;
-    told.warnings = all.warnings;
+    Identification found = identified_->found;
+    found.warnings = all.warnings;
     std::vector<ResultFile> files = planned_files_of_rig(run_, plan_);
     files[0].content = identified_->input.text;
-    files[1].content = format_joint(joint_of(told));
+    files[1].content = format_joint(joint_of(found));
     if (plan_.draws == 0) return files;
     files[2].content =
         samples_bytes(identified_->found, identification_.options, identified_->input, run_.command,

@@ -13,7 +13,7 @@ from ._arguments import progress as progress_of
 from ._errors import InputError
 from ._march import MarchEnergy, march_arguments
 from ._results import Note, Shown, Summary, notes, outcome, reported, si, summary_of
-from ._spread import DrawsOrCount, Spread, drawn
+from ._spread import DrawsOrCount, Spread, drawn, is_number
 from ._structure import Structure
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def march_band(
     *,
     point: Optional[str] = None,
     draws: Optional[DrawsOrCount] = None,
-    samples: DrawsOrCount = 1000,
+    samples: Optional[DrawsOrCount] = None,
     seed: int = 1,
     confidence: float = 0.95,
     correlation: str = "auto",
@@ -127,7 +127,8 @@ def march_band(
     point : str, optional
         Point whose motion is recorded; by default that of `HarmonicBalance`.
     draws, samples, seed, confidence, correlation, spread
-        As of `HarmonicBalance.frequency_response`; `samples` is the number of draws.
+        As of `HarmonicBalance.frequency_response`; `samples` is the number of draws, 1000 where
+        neither says it.
     progress : callable, optional
         Called with (done, total) of the times, then of the draws; False cancels.
     strict : bool
@@ -150,6 +151,8 @@ def march_band(
         raise InputError("points is given; must be point, a single name")
     at = structure._core.response if point is None else text(point, "point")
     acting = march_arguments(structure, time, forces, points=[at], **options)
+    if samples is None:
+        samples = 0 if is_number(draws) else 1000
     asked = drawn(structure, draws, samples, seed, confidence, correlation, spread)
     if asked is None:
         raise InputError("samples = 0; must be positive. Use march without draws.")

@@ -94,13 +94,19 @@ class _WarningText(str):
     """The text of a warning, equal to another that differs in figures alone.
 
     `warnings` shows a text once per line of a program: in a loop, the same warning with other
-    figures is no other. Digits within names and quotes distinguish, as of `joint1` and `joint2`.
+    figures is no other. Digits within names and quotes, and numbers of places, distinguish, as of
+    `joint1` and `joint2`, `mode 1` and `mode 2`.
     """
 
-    _FIGURES = re.compile(r"'[^']*'|(?<![\w.])[-+]?\d[\d.]*(?:e[-+]?\d+)?")
+    _FIGURES = re.compile(
+        r"'[^']*'|\b(?:mode|level|row|record|recording|assembly|node|test|sensor) \d+"
+        r"|(?<![\w.])[-+]?\d[\d.]*(?:e[-+]?\d+)?", re.IGNORECASE)  # fmt: skip
 
     def _without_figures(self) -> str:
-        return self._FIGURES.sub(lambda found: found[0] if found[0][0] == "'" else "#", str(self))
+        def kept(found: re.Match[str]) -> str:
+            return "#" if found[0][0] in "+-0123456789" else found[0]
+
+        return self._FIGURES.sub(kept, str(self))
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, _WarningText):

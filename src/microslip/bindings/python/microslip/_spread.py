@@ -70,10 +70,15 @@ class PeakBand(NamedTuple):
     draws: int  #: number of draws that have the peak
 
 
+def is_number(draws: Any) -> bool:
+    """Whether draws are given by their number alone."""
+    return isinstance(draws, (int, np.integer)) and not isinstance(draws, bool)
+
+
 def draws_and_count(draws: Any, samples: Any) -> tuple[Any, int]:
     """Draws of joints, and the number to predict. As with the options of the program, `draws` may be
     the number, and `samples` the draws of the joints."""
-    if isinstance(draws, (int, np.integer)) and not isinstance(draws, bool):
+    if is_number(draws):
         count = whole(draws, "draws", 1, 1_000_000)
         if isinstance(samples, (int, np.integer)):
             if samples not in (0, count):
