@@ -54,7 +54,7 @@ std::string repeated(const std::string& text, std::size_t count) {
 TEST(BadLevels, ThatAreNoTable) {
   expect_levels_refused("", {"levels.csv", "an empty file", "amplitude [m],dissipation [J]"});
   expect_levels_refused("\n# only this\n\n", {"levels.csv", "comments"});
-  expect_levels_refused(std::string("\x01\x00\xFF\xFE\x00", 5), {"levels.csv:1:1", "0x01"});
+  expect_levels_refused(std::string("\x01\x00\xFF\xFE\x00", 5), {"levels.csv:1:2", "0x00"});
   expect_levels_refused(
       "\x7F"
       "ELF\x02\x01",

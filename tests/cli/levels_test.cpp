@@ -111,7 +111,7 @@ TEST(levels, RefuseWhatHasNoCycles) {
   ForceRecord swapped = sample_loops(5, {2e-4});
   for (double& value : swapped.force) value = -value;
   box.put("loops.csv", record_text(swapped));
-  expect_refused(box, kLevels, {"loops.csv", "covariance", "sign"});
+  expect_refused(box, kLevels, {"loops.csv", "work over the record", "sign"});
 
   box.put("loops.csv", record_text(sample_loops(5, {2e-4}), "time [s],u [um],f [um]"));
   expect_refused(box, kLevels, {"loops.csv", "channel of", "--force"});

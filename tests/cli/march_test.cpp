@@ -205,7 +205,7 @@ TEST(march, RefusesBadForces) {
 TEST(march, ReplacesOnlyAMarch) {
   const Sandbox box = one_mass();
   box.put("march.csv", "time [s],displacement [m],velocity [m/s],acceleration [m/s^2]\n0,1,1,1\n");
-  expect_refused(box, march_call(), {"march.csv", "would be replaced by a table of a march"});
+  expect_refused(box, march_call(), {"march.csv", "was not written by microslip"});
 }
 
 TEST(march, MarksWhatDoesNotConverge) {

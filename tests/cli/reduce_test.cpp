@@ -260,7 +260,7 @@ TEST(reduce, NamesWhatIsWrong) {
   refused(test::replaced(level, "force [N]", "force [m]"), {"bad.csv", "'force'", "force"});
   refused(test::replaced(level, "force [N]", "force"),
           {"bad.csv", "'force'", "--assume-units force=N"});
-  refused(test::replaced(level, "force [N]", "force [stone]"), {"bad.csv:1", "stone"});
+  refused(test::replaced(level, "force [N]", "force [stone]"), {"bad.csv", "'stone'"});
   refused(level.substr(0, level.find('\n', 4000) + 1), {"bad.csv", "fewer than 3"});
   refused("", {"bad.csv"});
   refused("time [s],force [N]\n0,1\n1,nan\n", {"bad.csv:3", "nan"});

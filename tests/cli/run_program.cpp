@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "microslip/base/version.hpp"
 #include "support/built_file.hpp"
 
 namespace microslip::cli_test {
@@ -60,6 +61,8 @@ bool drop_rights() {
 [[noreturn]] void become_program(const Arguments& arguments, const std::string& folder,
                                  const Circumstances& how) {
   for (const int file : how.closed) ::close(file);
+  const rlimit no_core{0, 0};  // a program that a signal ends must leave nothing
+  if (::setrlimit(RLIMIT_CORE, &no_core) != 0) ::_exit(kCannotRun);
   for (const std::string& variable : how.environment) ::putenv(const_cast<char*>(variable.c_str()));
   if (how.file_size) {
     const rlimit limit{*how.file_size, *how.file_size};
@@ -186,6 +189,11 @@ void expect_interruptible(const Sandbox& box, const Arguments& arguments, int si
   EXPECT_EQ(outcome.signal, signal) << typed(arguments);
   EXPECT_EQ(outcome.status, 128 + signal) << typed(arguments);
   EXPECT_TRUE(box.content() == before) << typed(arguments);
+}
+
+std::string behind_heading(const std::string& table) {
+  EXPECT_TRUE(table.starts_with("# microslip " + std::string(kVersion) + ": microslip ")) << table;
+  return table.substr(table.find('\n') + 1);
 }
 
 std::string typed(const Arguments& arguments) {

@@ -117,6 +117,9 @@ Outcome expect_done(const Sandbox& box, const Arguments& arguments, const Circum
 void expect_interruptible(const Sandbox& box, const Arguments& arguments, int signal = SIGINT,
                           const std::string& bar = "");
 
+/// Expects that a table begins with the program, its version and the call; gives what follows.
+std::string behind_heading(const std::string& table);
+
 /// For messages: what was typed.
 std::string typed(const Arguments& arguments);
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/ensemble/team.hpp"
@@ -70,6 +71,11 @@ struct Call {
   /// This process alone.
   [[nodiscard]] static std::unique_ptr<Team> make_local_team(std::size_t threads);
 };
+
+/// The call as a small table names it: none in one that is printed, which scripts read on.
+[[nodiscard]] inline std::string command_of(const Call& call, std::string_view out) {
+  return out == "-" ? std::string() : call.command_line;
+}
 
 /// A program without subcommands.
 [[nodiscard]] std::unique_ptr<CLI::App> empty_program(const char* description,

@@ -33,8 +33,8 @@ int run(const DissipationOptions& options, const Call& call) {
   if (amplitude.front() > 0.0) check_displacement("FROM of --amplitude", amplitude.front());
   check_displacement("TO of --amplitude", amplitude.back());
   const JointFile file = read_joint(options.joint);
-  const JointTable table =
-      dissipation_of(file, amplitude, call.command_line, draws_of(file, options.draws, call.quiet));
+  const JointTable table = dissipation_of(file, amplitude, command_of(call, options.out),
+                                          draws_of(file, options.draws, call.quiet));
   write_file(options.out, table.text);
   if (!call.quiet) show_warnings(table.warnings);
   return table.taken && table.taken->too_many_failed() ? kNotConverged : kDone;

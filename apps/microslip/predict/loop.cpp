@@ -41,7 +41,7 @@ int run(const LoopOptions& options, const Call& call) {
   const DisplacementPath path = path_of(options);
   const NormalLoadLaw law =
       options.law == "total" ? NormalLoadLaw::kTotal : NormalLoadLaw::kIncremental;
-  const JointTable table = loop_of(file, path, law, options.elements, call.command_line,
+  const JointTable table = loop_of(file, path, law, options.elements, command_of(call, options.out),
                                    draws_of(file, options.draws, call.quiet));
   write_file(options.out, table.text);
   if (!call.quiet) show_warnings(table.warnings);

@@ -105,7 +105,7 @@ CsvWriter dissipation_table(const std::vector<double>& amplitude, double beta,
     return std::span(all).subspan(column * count, count);
   };
   CsvWriter table;
-  table.add_comment(heading_of(command));
+  if (!command.empty()) table.add_comment(heading_of(command));
   if (beta > 0.0) table.add_comment("linear damping of the joint: " + damping_text(beta));
   table.add_numbers("amplitude", kLength, amplitude);
   const std::array<CurveColumn, kCurveColumns> columns = curve_columns();
@@ -204,7 +204,7 @@ JointTable loop_of(const JointFile& file, const DisplacementPath& path, NormalLo
       file, draws, path.displacement.size(),
       [&](const Joint& joint, double) { return forces_along(path, joint, law, elements); });
   CsvWriter table = loop_table(path, forces_along(path, file.joint, law, elements));
-  table.add_comment(heading_of(command));
+  if (!command.empty()) table.add_comment(heading_of(command));
   if (draws) {
     table.add_numbers("lower", kForce, drawn.band.lower);
     table.add_numbers("upper", kForce, drawn.band.upper);

@@ -60,7 +60,7 @@ struct LoneJointDraws {
 /// @param path      of the displacement.
 /// @param law       of a normal load that varies.
 /// @param elements  Jenkins elements of the joint then.
-/// @param command   of the first comment, see heading_of().
+/// @param command   of the first comment, see heading_of(); empty: the table has none.
 /// @param draws     of the joint; with them columns `lower`, `upper` of the force, point by point.
 /// @throws InputError  as DrawOptions::check_size(), and where all draws failed.
 /// @throws Cancelled   as the progress of the draws says.
@@ -72,7 +72,7 @@ struct LoneJointDraws {
 /// Virgin force, D + βA², k_eq and the loss factor of both over the amplitude, as levels have them.
 /// @param file       of the joint, with β where one was identified.
 /// @param amplitude  A, m; rising, from 0.
-/// @param command    of the first comment, see heading_of().
+/// @param command    as of loop_of().
 /// @param draws      of the joint; with them columns NAME_lower, NAME_upper of each. A draw that
 ///                   has a linear damping of its own has that one.
 /// @throws InputError, Cancelled  as loop_of().
