@@ -141,6 +141,22 @@ std::vector<Case> other_spellings() {
       {"bar", 1e5, kPressure},
       {"mbar", 100.0, kPressure},
       {"ksi", 6894757.293168361, kPressure},
+      {"PSI", 6894.757293168361, kPressure},
+      {"RPM", 1.0 / 60.0, kFrequency},
+      {"rev/min", 1.0 / 60.0, kFrequency},
+      {"cycles/min", 1.0 / 60.0, kFrequency},
+      {"cycles/s", 1.0, kFrequency},
+      {"Cycles / sec", 1.0, kFrequency},
+      {"hz", 1.0, kFrequency},
+      {"mins", 60.0, kTime},
+      {"hr", 3600.0, kTime},
+      {"HRS", 3600.0, kTime},
+      {"KN", 1e3, kForce},
+      {"KN/mm", 1e6, kStiffness},
+      {"LBF", 4.4482216152605, kForce},
+      {"lbm", 0.45359237, kMass},
+      {"lbm/ft^3", 16.018463373960142, kMassDensity},  // NIST SP 811, B.9: pound per cubic foot
+      {"kgm", 1.0, kMass * kLength},
       {"ms-2", 1.0, kAcceleration},
       {"ms^-2", 1.0, kAcceleration},
       {"ms⁻²", 1.0, kAcceleration},
@@ -164,12 +180,23 @@ TEST(Units, SpellingsOfLaboratoriesAreKnown) {
   }
 }
 
+// A capital tells mega from milli: of units with such prefixes it counts.
+TEST(Units, PrefixesAreToldApartByCapitals) {
+  EXPECT_EQ(find_unit("mN")->factor(), 1e-3);
+  EXPECT_EQ(find_unit("MN")->factor(), 1e6);
+  EXPECT_EQ(find_unit("mPa")->factor(), 1e-3);
+  EXPECT_EQ(find_unit("MPa")->factor(), 1e6);
+  for (const char* text : {"MPA", "MHZ", "mhz", "kn", "MM", "tm", "lbmm", "MIN"}) {
+    EXPECT_FALSE(find_unit(text)) << text;
+  }
+}
+
 TEST(Units, OtherQuantitiesAreNamedAsSuch) {
-  for (const char* text : {"°C", "degF", "V", "mV", "mV/g", "Ω", "pC/N", "Volts"}) {
+  for (const char* text : {"°C", "degF", "V", "mV", "mV/g", "Ω", "pC/N", "Volts", "cycles"}) {
     EXPECT_TRUE(is_other_unit(text)) << text;
     EXPECT_FALSE(find_unit(text)) << text;
   }
-  for (const char* text : {"", "furlong", "N", "1", "/V"})
+  for (const char* text : {"", "furlong", "N", "1", "/V", "cycles/s"})
     EXPECT_FALSE(is_other_unit(text)) << text;
 }
 
@@ -191,10 +218,11 @@ TEST(Units, PowersOfTenAreExact) {
 }
 
 TEST(Units, UnknownOnesAreRefused) {
-  for (const char* text :
-       {"",     " ",    "furlong", "hz",  "KN",    "kkg",  "mkg", "mmm", "/",
-        "1/",   "/s",   "m^",      "m^0", "m^99",  "m--2", "m-",  "-m",  "in--lbf",
-        "kkip", "N//m", "m***2",   "12",  "\xB5m", "\xFF", "Mg",  "kin", "m^9999999999999999999"}) {
+  for (const char* text : {"",        " ",    "furlong", "kkg",   "mkg",
+                           "mmm",     "/",    "1/",      "/s",    "m^",
+                           "m^0",     "m^99", "m--2",    "m-",    "-m",
+                           "in--lbf", "kkip", "N//m",    "m***2", "12",
+                           "\xB5m",   "\xFF", "Mg",      "kin",   "m^9999999999999999999"}) {
     EXPECT_FALSE(find_unit(text)) << text;
   }
   EXPECT_FALSE(find_unit(std::string(100000, 'm')));

@@ -61,68 +61,52 @@ constexpr std::array kSymbols{
 /// Other spellings of a unit, as testing machines, loggers and spreadsheets write them. A load in
 /// lbs is a force.
 struct Spelling {
-  std::string_view text;  ///< capitals do not count
+  std::string_view text;  ///< in small letters: capitals do not count; else as it stands
   std::string_view symbol;
 };
 
 constexpr std::array kSpellings{
-    Spelling{"sec", "s"},
-    Spelling{"secs", "s"},
-    Spelling{"second", "s"},
-    Spelling{"seconds", "s"},
-    Spelling{"msec", "ms"},
-    Spelling{"msecs", "ms"},
-    Spelling{"millisecond", "ms"},
-    Spelling{"milliseconds", "ms"},
-    Spelling{"usec", "us"},
-    Spelling{"usecs", "us"},
-    Spelling{"microsecond", "us"},
-    Spelling{"microseconds", "us"},
-    Spelling{"nanoseconds", "ns"},
-    Spelling{"minute", "min"},
-    Spelling{"minutes", "min"},
-    Spelling{"hour", "h"},
-    Spelling{"hours", "h"},
-    Spelling{"inch", "in"},
-    Spelling{"inches", "in"},
-    Spelling{"ins", "in"},
-    Spelling{"foot", "ft"},
-    Spelling{"feet", "ft"},
-    Spelling{"mils", "mil"},
-    Spelling{"thou", "mil"},
-    Spelling{"micron", "um"},
-    Spelling{"microns", "um"},
-    Spelling{"metre", "m"},
-    Spelling{"metres", "m"},
-    Spelling{"meter", "m"},
-    Spelling{"meters", "m"},
-    Spelling{"millimetre", "mm"},
-    Spelling{"millimetres", "mm"},
-    Spelling{"millimeter", "mm"},
-    Spelling{"millimeters", "mm"},
-    Spelling{"micrometer", "um"},
-    Spelling{"micrometers", "um"},
-    Spelling{"micrometre", "um"},
-    Spelling{"micrometres", "um"},
-    Spelling{"newton", "N"},
-    Spelling{"newtons", "N"},
-    Spelling{"kilonewton", "kN"},
-    Spelling{"kilonewtons", "kN"},
-    Spelling{"lbs", "lbf"},
-    Spelling{"lbsf", "lbf"},
-    Spelling{"kips", "kip"},
-    Spelling{"kilogram", "kg"},
-    Spelling{"kilograms", "kg"},
-    Spelling{"kgs", "kg"},
-    Spelling{"g's", "g"},
-    Spelling{"gn", "g"},
-    Spelling{"g_n", "g"},
-    Spelling{"hertz", "Hz"},
-    Spelling{"degree", "deg"},
-    Spelling{"degrees", "deg"},
-    Spelling{"radian", "rad"},
-    Spelling{"radians", "rad"},
-    Spelling{"microstrain", "ustrain"},
+    Spelling{"sec", "s"},          Spelling{"secs", "s"},
+    Spelling{"second", "s"},       Spelling{"seconds", "s"},
+    Spelling{"msec", "ms"},        Spelling{"msecs", "ms"},
+    Spelling{"millisecond", "ms"}, Spelling{"milliseconds", "ms"},
+    Spelling{"usec", "us"},        Spelling{"usecs", "us"},
+    Spelling{"microsecond", "us"}, Spelling{"microseconds", "us"},
+    Spelling{"nanoseconds", "ns"}, Spelling{"minute", "min"},
+    Spelling{"minutes", "min"},    Spelling{"hour", "h"},
+    Spelling{"hours", "h"},        Spelling{"mins", "min"},
+    Spelling{"hr", "h"},           Spelling{"hrs", "h"},
+    Spelling{"inch", "in"},        Spelling{"inches", "in"},
+    Spelling{"ins", "in"},         Spelling{"ft", "ft"},
+    Spelling{"foot", "ft"},        Spelling{"feet", "ft"},
+    Spelling{"mil", "mil"},        Spelling{"mils", "mil"},
+    Spelling{"thou", "mil"},       Spelling{"micron", "um"},
+    Spelling{"microns", "um"},     Spelling{"metre", "m"},
+    Spelling{"metres", "m"},       Spelling{"meter", "m"},
+    Spelling{"meters", "m"},       Spelling{"millimetre", "mm"},
+    Spelling{"millimetres", "mm"}, Spelling{"millimeter", "mm"},
+    Spelling{"millimeters", "mm"}, Spelling{"micrometer", "um"},
+    Spelling{"micrometers", "um"}, Spelling{"micrometre", "um"},
+    Spelling{"micrometres", "um"}, Spelling{"newton", "N"},
+    Spelling{"newtons", "N"},      Spelling{"kilonewton", "kN"},
+    Spelling{"kilonewtons", "kN"}, Spelling{"KN", "kN"},
+    Spelling{"lb", "lb"},          Spelling{"lbm", "lb"},
+    Spelling{"lbf", "lbf"},        Spelling{"klbf", "klbf"},
+    Spelling{"lbs", "lbf"},        Spelling{"lbsf", "lbf"},
+    Spelling{"kip", "kip"},        Spelling{"kips", "kip"},
+    Spelling{"psi", "psi"},        Spelling{"ksi", "ksi"},
+    Spelling{"KPa", "kPa"},        Spelling{"KPA", "kPa"},
+    Spelling{"bar", "bar"},        Spelling{"kgf", "kgf"},
+    Spelling{"kg", "kg"},          Spelling{"kilogram", "kg"},
+    Spelling{"kilograms", "kg"},   Spelling{"kgs", "kg"},
+    Spelling{"g's", "g"},          Spelling{"gn", "g"},
+    Spelling{"g_n", "g"},          Spelling{"hz", "Hz"},
+    Spelling{"KHz", "kHz"},        Spelling{"KHZ", "kHz"},
+    Spelling{"hertz", "Hz"},       Spelling{"cps", "Hz"},
+    Spelling{"rpm", "rpm"},        Spelling{"cpm", "rpm"},
+    Spelling{"deg", "deg"},        Spelling{"degree", "deg"},
+    Spelling{"degrees", "deg"},    Spelling{"radian", "rad"},
+    Spelling{"radians", "rad"},    Spelling{"microstrain", "ustrain"},
     Spelling{"percent", "%"},
 };
 
@@ -218,6 +202,12 @@ int prefix_exponent(char prefix) {
   }
 }
 
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return small;
+}
+
 std::optional<Symbol> find_symbol(std::string_view name) {
   constexpr std::size_t kLongest = 16;
   if (name.size() > kLongest) return std::nullopt;
@@ -233,9 +223,9 @@ std::optional<Symbol> find_symbol(std::string_view name) {
     }
   }
   if (name.ends_with('.')) return find_symbol(name.substr(0, name.size() - 1));
-  std::string small(name);
-  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  const auto* spelling = std::ranges::find(kSpellings, small, &Spelling::text);
+  const std::string small = in_small_letters(name);
+  const auto* spelling = std::ranges::find_if(
+      kSpellings, [&](const Spelling& s) { return s.text == name || s.text == small; });
   return spelling == kSpellings.end() ? std::nullopt : find_symbol(spelling->symbol);
 }
 
@@ -254,7 +244,8 @@ std::optional<Joined> find_joined(std::string_view name, bool negative) {
     const std::optional<Symbol> first = find_symbol(name.substr(0, cut));
     if (!first) continue;
     const bool length = second == "m" || second == "mm" || second == "cm" || second == "um";
-    const bool of_force = length && (first->dimension == kForce || first->dimension == kMass);
+    const bool of_mass = name.substr(0, cut) == "kg";  // lbm and tm are no products
+    const bool of_force = length && (first->dimension == kForce || of_mass);
     const bool of_motion = negative && second == "s" && first->dimension == kLength;
     if (of_force || of_motion) return Joined{*first, *find_symbol(second)};
   }
@@ -364,6 +355,20 @@ class UnitParser {
   int exponent_ = 0;
 };
 
+/// cycles/s and rev/min: so many of something in a time.
+std::optional<Unit> find_rate(std::string_view text) {
+  static constexpr std::array<std::string_view, 8> kCounted{
+      "cycle", "cycles", "rev", "revs", "revolution", "revolutions", "turn", "turns"};
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  std::string counted = in_small_letters(text.substr(0, slash));
+  counted.erase(counted.find_last_not_of(' ') + 1);
+  if (slash == text.size() || std::ranges::find(kCounted, counted) == kCounted.end()) {
+    return std::nullopt;
+  }
+  const std::optional<Unit> unit = UnitParser(fmt::format("1{}", text.substr(slash))).parse();
+  return unit && unit->dimension == kFrequency ? unit : std::nullopt;
+}
+
 const Quantity* find_quantity(const Dimension& dimension) {
   const auto* found = std::find_if(kQuantities.begin(), kQuantities.end(),
                                    [&](const Quantity& q) { return q.dimension == dimension; });
@@ -398,10 +403,12 @@ std::string shown_unit(std::string_view text) {
 std::optional<Unit> find_unit(std::string_view text) {
   const std::string plain = plain_ascii(text);
   if (plain == "-") return Unit{};
+  if (const std::optional<Unit> rate = find_rate(plain)) return rate;
   return UnitParser(plain).parse();
 }
 
 bool is_other_unit(std::string_view text) {
+  if (find_unit(text)) return false;
   const std::string plain = plain_ascii(text);
   const std::string_view first = std::string_view(plain).substr(0, plain.find('/'));
   return std::ranges::find(kOtherUnits, first) != kOtherUnits.end();
