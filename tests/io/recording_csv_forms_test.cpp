@@ -44,6 +44,53 @@ Names codes_of(const Recordings& read) {
   return codes;
 }
 
+/// The axis of a table of three columns that rise, and the names of the others.
+std::string axis_of(const std::string& names) {
+  const Recordings read = read_all(names + "\n1,0,3\n2,1,4\n3,2,6\n");
+  std::string others;
+  for (const std::string& name : names_of(read.recordings.front())) others += " " + name;
+  return dimension_name(read.recordings.front().axis.dimension) + " over" + others;
+}
+
+// A shaft's speed, the hours of a machine or of a clock are channels where there is a time.
+TEST(RecordingCsvForms, TakesTheBestColumnForTheAxis) {
+  EXPECT_EQ(axis_of("speed [rpm],time [s],force [N]"), "time over speed force");
+  EXPECT_EQ(axis_of("uptime [h],time [s],force [N]"), "time over uptime force");
+  EXPECT_EQ(axis_of("uptime [h],t_s [s],force [N]"), "time over uptime force");
+  EXPECT_EQ(axis_of("run [min],frequency [Hz],H [m/N]"), "frequency over run H");
+  EXPECT_EQ(axis_of("shaft [Hz],time [min],force [N]"), "time over shaft force");
+  EXPECT_EQ(axis_of("speed [rpm],f [Hz],H [m/N]"), "frequency over speed H");
+  EXPECT_EQ(axis_of("Time [hh:mm:ss],Elapsed [s],force [N]"), "time over Time force");
+  EXPECT_EQ(axis_of("Time,Elapsed [min],force [N]"), "time over Time force");
+  // The only one there is.
+  EXPECT_EQ(axis_of("speed [rpm],temp [°C],force [N]"), "frequency over temp force");
+  EXPECT_EQ(axis_of("uptime [h],temp [°C],force [N]"), "time over temp force");
+}
+
+// Better refused than read over something else.
+TEST(RecordingCsvForms, TakesNoSpeedForATimeWithoutUnit) {
+  EXPECT_NE(fault("time,speed [rpm],force [N]\n0,1,2\n1,2,3\n").find("a unit of time for column 1"),
+            std::string::npos);
+  EXPECT_NE(fault("Time [hh:mm:ss],speed [rpm],F [N]\n0,1,2\n1,2,3\n")
+                .find("found the unknown unit 'hh:mm:ss'"),
+            std::string::npos);
+}
+
+// With a rate in a comment nothing else need be the time.
+TEST(RecordingCsvForms, TakesTheRateBeforeWhatMayBeATime) {
+  const Recordings read = read_all("# fs = 8 Hz\nuptime [h],force [N]\n1,2\n1,3\n");
+  EXPECT_EQ(read.recordings.front().sampling_rate(), 8.0);
+  EXPECT_EQ(read.recordings.front().channels.size(), 2U);
+}
+
+// A clock in text is left out like other text, with the first line of its cells.
+TEST(RecordingCsvForms, ReadsBesideAClock) {
+  const Recordings read =
+      read_all("Time [hh:mm:ss],Elapsed [s],force [N]\n09:14:00,0,1\n09:14:01,1,2\n");
+  EXPECT_EQ(names_of(read.recordings.front()), (Names{"force"}));
+  EXPECT_EQ(codes_of(read), (Names{"unit_unknown", "channel_left_out"}));
+}
+
 // A temperature or a voltage beside what is measured says nothing of it.
 TEST(RecordingCsvForms, KeepsChannelsOfOtherUnits) {
   const Recordings read =

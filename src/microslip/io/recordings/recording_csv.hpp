@@ -25,12 +25,13 @@
 /// line. A column whose first cell is no number, or one of whose cells is empty or `NaN`, `inf`,
 /// `N/A`, `-` and the like, is left out with a warning.
 ///
-/// The axis is the first column with a unit of time or frequency, or called time, t, frequency or
-/// freq (in capitals or not); one without unit is refused unless its unit is assumed. Its values
-/// rise. It is even where equal steps explain them to the digits printed (even_axis.hpp). Where
-/// there is no such column, a comment may give the rate: `# sampling_rate: 8192 Hz`, or = for the
-/// colon, or `fs`, `sampling rate`, `sample rate`, `sampling frequency` for the name, in capitals
-/// or not; without unit it is in Hz. The first point then lies at 0.
+/// The axis is a column with a unit of time or frequency, or called time, t, frequency or freq (in
+/// capitals or not), the first of those that fit best (axis_rank.hpp); one without unit is refused
+/// unless its unit is assumed. Its values rise. It is even where equal steps explain them to the
+/// digits printed (even_axis.hpp). Where there is no such column, a comment may give the rate:
+/// `# sampling_rate: 8192 Hz`, or = for the colon, or `fs`, `sampling rate`, `sample rate`,
+/// `sampling frequency` for the name, in capitals or not; without unit it is in Hz. The first point
+/// then lies at 0.
 ///
 /// A comment `name: value` or `name = value` is an attribute, of a channel where it reads
 /// `channel / name: value`; others are attributes of the name "comment". Two neighbouring columns
@@ -63,7 +64,8 @@ class InputStream;
 [[nodiscard]] Recordings read_recordings_csv(InputStream& file,
                                              const RecordingReadOptions& options);
 
-/// Writes text that read_recordings_csv() reads back as the same recording, but for its source:
+/// Writes text that read_recordings_csv() reads back as the same recording, but for its source and
+/// for characters that cannot be seen, such as U+200E, which names and attributes have as `\xNN`:
 /// each number is the shortest that reads back as the same double. Times that are evenly spaced
 /// read back as such, their start and step to rounding.
 /// @param path       it is overwritten, if it is there; see OutputFiles::stage().

@@ -217,57 +217,73 @@ bool RecordingCsvHeader::read_units(std::string_view line, std::size_t number) {
   return true;
 }
 
-RecordingColumn RecordingCsvHeader::resolve_column(std::size_t i,
-                                                   std::vector<Warning>& warnings) const {
+RecordingColumn RecordingCsvHeader::resolve_column(std::size_t i) const {
   const auto& [name, unit_text] = cells_[i].column;
   RecordingColumn column{.name = name, .unit = {}, .dimension = {}};
   if (!unit_text || unit_text->empty()) return column;
   if (const std::optional<Unit> unit = find_unit(*unit_text)) {
     column.unit = *unit;
     column.dimension = unit->dimension;
-    return column;
+  } else {
+    column.unknown_unit = *unit_text;
   }
-  if (const std::optional<Dimension> axis = axis_dimension(name)) {
-    throw FormatError(cells_[i].place,
-                      fmt::format("a unit for column {} {}", i + 1, in_quotes(name)),
-                      fmt::format("the unknown unit {}", in_quotes(*unit_text)),
-                      fmt::format("Usual units: {}.", usual_units(*axis)));
-  }
-  column.unknown_unit = *unit_text;
-  if (is_other_unit(*unit_text)) return column;
-  warnings.push_back(
-      {"unit_unknown",
-       fmt::format("{}: column {} {} is in {}, an unknown unit; it is treated as without unit. "
-                   "Usual units: {}",
-                   place_text(cells_[i].place), i + 1, in_quotes(name), in_quotes(*unit_text),
-                   kUsualUnits)});
   return column;
 }
 
-/// With a rate in a comment, a frequency is a channel like others.
-bool RecordingCsvHeader::is_axis(std::size_t i) const {
-  const std::optional<Dimension> dimension =
-      columns_[i].dimension ? columns_[i].dimension : axis_dimension(columns_[i].name);
-  return dimension == kTime || (dimension == kFrequency && !rate_);
+void RecordingCsvHeader::warn_of_unknown_units(std::vector<Warning>& warnings) const {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::string& unit = columns_[i].unknown_unit;
+    if (unit.empty() || is_other_unit(unit)) continue;
+    warnings.push_back(
+        {"unit_unknown",
+         fmt::format("{}: column {} {} is in {}, an unknown unit; it is treated as without unit. "
+                     "Usual units: {}",
+                     place_text(cells_[i].place), i + 1, in_quotes(columns_[i].name),
+                     in_quotes(unit), kUsualUnits)});
+  }
 }
 
-/// A time without unit gives way to one that has a unit: it may be that of a clock.
-std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& assumed) const {
-  std::optional<std::size_t> without_unit;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (!is_axis(i)) continue;
-    if (columns_[i].dimension || assumed.find(columns_[i].name)) return i;
-    if (!without_unit) without_unit = i;
+/// With a rate in a comment, a frequency is a channel like others, and so is a column that may be
+/// a time but need not.
+std::optional<AxisRank> RecordingCsvHeader::axis_rank(std::size_t i,
+                                                      const AssumedUnits& assumed) const {
+  const RecordingColumn& column = columns_[i];
+  std::optional<AxisRank> rank;
+  if (column.dimension) {
+    rank = rank_as_axis(column.name, column.unit);
+  } else if (const std::optional<Dimension> named = axis_dimension(column.name)) {
+    const bool known = column.unknown_unit.empty() ? assumed.find(column.name).has_value()
+                                                   : assumed.names(column.name);
+    rank = known                         ? rank_as_axis(column.name, Unit{.dimension = *named})
+           : column.unknown_unit.empty() ? AxisRank::kWithoutUnit
+                                         : AxisRank::kUnknownUnit;
   }
-  return without_unit;
+  const bool frequency =
+      (column.dimension ? column.dimension : axis_dimension(column.name)) == kFrequency;
+  const bool doubtful = rank == AxisRank::kUnknownUnit || rank == AxisRank::kDoubtful;
+  return rate_ && (frequency || doubtful) ? std::nullopt : rank;
+}
+
+/// The first one of the best rank.
+std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& assumed) const {
+  std::optional<std::size_t> best;
+  std::optional<AxisRank> of_best;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const std::optional<AxisRank> rank = axis_rank(i, assumed);
+    if (!rank || (of_best && *of_best <= *rank)) continue;
+    best = i;
+    of_best = rank;
+  }
+  return best;
 }
 
 void RecordingCsvHeader::resolve(const AssumedUnits& assumed, bool allow_untimed,
                                  std::vector<Warning>& warnings) {
   tell_names_apart(warnings);
-  for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i, warnings));
+  for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i));
   axis_ = find_axis(assumed);
   if (axis_) resolve_axis(assumed);
+  warn_of_unknown_units(warnings);
   if (!axis_ && !rate_ && allow_untimed && cells_.size() > 1) {
     rate_ = 1.0;
     warnings.push_back(points_untimed(file_));
@@ -287,6 +303,12 @@ void RecordingCsvHeader::resolve_axis(const AssumedUnits& assumed) {
                      "must have no unit if one is assumed", "The unit in the file is used.");
   }
   const Dimension dimension = axis_dimension(column.name).value_or(kTime);
+  if (!column.unknown_unit.empty() && !assumed.names(column.name)) {
+    throw FormatError(cells_[*axis_].place,
+                      fmt::format("a unit for column {} {}", *axis_ + 1, in_quotes(column.name)),
+                      fmt::format("the unknown unit {}", in_quotes(column.unknown_unit)),
+                      fmt::format("Usual units: {}.", usual_units(dimension)));
+  }
   const std::optional<Unit> unit = assumed.find(column.name);
   if (!unit) {
     throw FormatError(
@@ -303,6 +325,7 @@ void RecordingCsvHeader::resolve_axis(const AssumedUnits& assumed) {
   }
   column.unit = *unit;
   column.dimension = unit->dimension;
+  column.unknown_unit.clear();
 }
 
 void RecordingCsvHeader::throw_no_axis() const {

@@ -11,6 +11,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
+#include "microslip/io/recordings/axis_rank.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -79,10 +80,11 @@ class RecordingCsvHeader {
 
   [[nodiscard]] std::vector<Cell> read_cells(std::string_view line, std::size_t number) const;
   void tell_names_apart(std::vector<Warning>& warnings);
-  [[nodiscard]] RecordingColumn resolve_column(std::size_t column,
-                                               std::vector<Warning>& warnings) const;
+  [[nodiscard]] RecordingColumn resolve_column(std::size_t column) const;
+  void warn_of_unknown_units(std::vector<Warning>& warnings) const;
+  [[nodiscard]] std::optional<AxisRank> axis_rank(std::size_t column,
+                                                  const AssumedUnits& assumed) const;
   [[nodiscard]] std::optional<std::size_t> find_axis(const AssumedUnits& assumed) const;
-  [[nodiscard]] bool is_axis(std::size_t column) const;
   void resolve_axis(const AssumedUnits& assumed);
   [[noreturn]] void throw_no_axis() const;
 

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/io/recordings/axis_rank.hpp"
+
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/recordings/assumed_units.hpp"
+#include "microslip/signal/recording/quantity_name.hpp"
+
+namespace microslip {
+namespace {
+
+AxisRank rank_of_time(std::string_view name, const Unit& unit) {
+  if (axis_dimension(name) == kTime) return AxisRank::kNamedTime;
+  if (unit.to_si(1.0) <= 1.0) return AxisRank::kTimeUnit;
+  const bool named =
+      quantity_of_name(name) == kTime || in_capitals(name).find("ELAPSED") != std::string::npos;
+  return named ? AxisRank::kLongTime : AxisRank::kDoubtful;
+}
+
+AxisRank rank_of_frequency(std::string_view name, const Unit& unit) {
+  if (quantity_of_name(name) == kFrequency || name == "f") return AxisRank::kNamedFrequency;
+  return unit.to_si(1.0) < 1.0 ? AxisRank::kDoubtful : AxisRank::kFrequencyUnit;
+}
+
+}  // namespace
+
+std::optional<AxisRank> rank_as_axis(std::string_view name, const Unit& unit) {
+  if (unit.dimension == kTime) return rank_of_time(name, unit);
+  if (unit.dimension == kFrequency) return rank_of_frequency(name, unit);
+  return std::nullopt;
+}
+
+}  // namespace microslip
