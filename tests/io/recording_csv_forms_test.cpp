@@ -91,6 +91,27 @@ TEST(RecordingCsvForms, ReadsBesideAClock) {
   EXPECT_EQ(codes_of(read), (Names{"unit_unknown", "channel_left_out"}));
 }
 
+// Only what is written as a number is one: the names below stand above two rows of numbers.
+TEST(RecordingCsvForms, TakesNoNameThatEndsInInfForANumber) {
+  const std::string text = "Logger 7,,\ntime [s],T_inf [degC],F_NAN [N]\n0,1,2\n1,2,3\n";
+  EXPECT_EQ(find_table_start(text).names, "time [s],T_inf [degC],F_NAN [N]");
+  const std::string names = "Logger 7,\nt_inf,F_inf\n";
+  EXPECT_EQ(find_table_start(names + "0,1\n1,2\n").names, "t_inf,F_inf");
+  EXPECT_EQ(find_table_start(names + "0,-inf\n1,+nan\n").names, "t_inf,F_inf");
+}
+
+// A part of a complex channel without the other is none.
+TEST(RecordingCsvForms, LeavesOutBothPartsOfAComplexChannel) {
+  for (const std::string row : {"1,,2,3", "1,2,,3"}) {
+    const Recordings read = read_all("frequency [Hz],a.real [m/N],a.imag [m/N],b [m/N]\n0,1,2,3\n" +
+                                     row + "\n2,1,2,3\n");
+    const Recording& recording = read.recordings.front();
+    EXPECT_EQ(names_of(recording), (Names{"b"})) << row;
+    EXPECT_EQ(recording.left_out.size(), 2U) << row;
+    EXPECT_EQ(codes_of(read), (Names{"channel_left_out", "channel_left_out"})) << row;
+  }
+}
+
 // A temperature or a voltage beside what is measured says nothing of it.
 TEST(RecordingCsvForms, KeepsChannelsOfOtherUnits) {
   const Recordings read =

@@ -316,10 +316,9 @@ class CsvRecordingReader {
     const double share =
         static_cast<double>(*file_.size()) / static_cast<double>(blocks_.bytes_done());
     const double rows = 1.01 * share * static_cast<double>(rows_);
-    for (std::vector<double>& column : values_) {
-      if (static_cast<double>(column.capacity()) < rows) {
-        column.reserve(static_cast<std::size_t>(1.05 * rows));
-      }
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (left_out_[i] || static_cast<double>(values_[i].capacity()) >= rows) continue;
+      values_[i].reserve(static_cast<std::size_t>(1.05 * rows));
     }
   }
 
@@ -334,6 +333,7 @@ class CsvRecordingReader {
     } else {
       recording.axis.step = 1.0 / *header_.sampling_rate();
     }
+    leave_out_halves();
     for (std::size_t i = 0; i < values_.size(); ++i) {
       if (i != header_.axis() && !left_out_[i]) add_channel(recording, i);
     }
@@ -356,18 +356,33 @@ class CsvRecordingReader {
                                               file_.name(), rate, 1.0 / axis.step)});
   }
 
+  /// Whether a column is the imaginary part of the one before it.
+  [[nodiscard]] bool is_imaginary(std::size_t i) const {
+    if (i == 0) return false;
+    const RecordingColumn& real = header_.columns()[i - 1];
+    const RecordingColumn& column = header_.columns()[i];
+    return real.name.ends_with(kRealMark) && column.name.ends_with(kImaginaryMark) &&
+           without(real.name, kRealMark) == without(column.name, kImaginaryMark) &&
+           real.dimension == column.dimension;
+  }
+
+  /// A part of a complex channel is none without the other.
+  void leave_out_halves() {
+    for (std::size_t i = 1; i < left_out_.size(); ++i) {
+      if (!is_imaginary(i)) continue;
+      if (!left_out_[i]) left_out_[i] = left_out_[i - 1];
+      if (!left_out_[i - 1]) left_out_[i - 1] = left_out_[i];
+    }
+  }
+
   /// A channel of its own, or the imaginary part of the one before it.
   void add_channel(Recording& recording, std::size_t i) {
     const RecordingColumn& column = header_.columns()[i];
-    if (!recording.channels.empty() && column.name.ends_with(kImaginaryMark)) {
+    if (is_imaginary(i)) {
       Channel& last = recording.channels.back();
-      const std::string_view stem = without(column.name, kImaginaryMark);
-      if (last.name.ends_with(kRealMark) && without(last.name, kRealMark) == stem &&
-          last.dimension == column.dimension) {
-        last.name = stem;
-        last.imaginary = std::move(values_[i]);
-        return;
-      }
+      last.name = without(column.name, kImaginaryMark);
+      last.imaginary = std::move(values_[i]);
+      return;
     }
     Channel& channel = recording.channels.emplace_back();
     channel.name = column.name;

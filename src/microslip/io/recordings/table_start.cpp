@@ -24,9 +24,9 @@ struct TableLine {
 
 /// Those that are not finite count: they stand in rows.
 bool is_number_cell(std::string_view cell) {
-  const std::string capitals = in_capitals(cell);
-  return parse_number(cell) || parse_comma_number(cell) || capitals == "NAN" ||
-         capitals.ends_with("INF");
+  std::string capitals = in_capitals(cell);
+  if (capitals.starts_with('+') || capitals.starts_with('-')) capitals.erase(0, 1);
+  return parse_number(cell) || parse_comma_number(cell) || capitals == "NAN" || capitals == "INF";
 }
 
 void split(TableLine& line) {
