@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <matio.h>
+#include <zlib.h>
 
 #include <array>
+#include <cstdint>
 #include <cstdlib>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -181,6 +184,43 @@ TEST(MatValue, FindsEveryChangeOfCompressedNumbers) {
             : 0;
   }
   EXPECT_LE(unnoticed, 8);
+}
+
+void append_uint32(std::string& text, std::initializer_list<std::uint32_t> numbers) {
+  for (const std::uint32_t number : numbers) {
+    for (int byte = 0; byte < 4; ++byte) text += static_cast<char>(number >> (8 * byte) & 0xFFU);
+  }
+}
+
+// The variable "x" of one double claims 64 bytes and has a million more behind them: it is refused
+// when they begin, though it is not the one that is read.
+TEST(MatValue, InflatesNoMoreThanAVariableClaims) {
+  std::string variable;
+  append_uint32(variable, {14, 56, 6, 8, 6, 0, 5, 8, 1, 1, 0x00010001U, 'x', 9, 8, 0, 0});
+  for (const std::size_t more : {0U, 1000000U}) {
+    const std::string inflated = variable + std::string(more, '\0');
+    uLongf size = compressBound(inflated.size());
+    std::string packed(size, '\0');
+    ASSERT_EQ(compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+                       reinterpret_cast<const Bytef*>(inflated.data()), inflated.size()),
+              Z_OK);
+    packed.resize(size);
+    const std::string whole = test::get(sample("compressed5.mat"));
+    std::string content = whole.substr(0, 128);
+    append_uint32(content, {15, static_cast<std::uint32_t>(packed.size())});
+    const test::TemporaryFolder folder;
+    const std::string path = folder.file("a.mat");
+    test::put(path, content + packed + whole.substr(128));
+    if (more == 0) {
+      EXPECT_EQ(read_mat_numbers(path, "force"), (std::vector{0.5, -1.25, 3e-300}));
+      EXPECT_EQ(read_mat_numbers(path, "x"), std::vector{0.0});
+    } else {
+      EXPECT_NE(message_of<FormatError>([&] {
+                  return read_mat_numbers(path, "force");
+                }).find("expected the end of the variable, found more bytes"),
+                std::string::npos);
+    }
+  }
 }
 
 // Chen et al., Jin et al., MSSP 166 (2022) 108401, 108402; the figures are those that SciPy 1.10.1

@@ -421,9 +421,9 @@ class Mat5FileReader {
       stream.fail(fmt::format("{} bytes of a variable", inflated), "room for fewer");
     }
     VariableReader reader(stream, swap_, values_, VariableEnd::kOpen);
-    MatValue value = reader.read(stream.offset() + inflated, options_.only, name);
-    const bool whole = value.kind != MatValue::Kind::kNotRead;
-    stream.finish(whole);
+    const std::size_t end = stream.offset() + inflated;
+    MatValue value = reader.read(end, options_.only, name);
+    stream.finish(value.kind == MatValue::Kind::kNotRead ? end - stream.offset() : 0);
     return value;
   }
 

@@ -105,10 +105,12 @@ std::size_t MatInflateStream::read_some(char* to, std::size_t size) {
   return size - state_.avail_out;
 }
 
-void MatInflateStream::finish(bool was_read) {
-  std::array<char, 4096> more{};
-  while (!ended_ && read_some(more.data(), was_read ? 1 : more.size()) != 0) {
-    if (was_read) fail("the end of the variable", "more bytes");
+void MatInflateStream::finish(std::size_t most) {
+  std::array<char, 4096> rest{};
+  while (!ended_) {
+    const std::size_t count = read_some(rest.data(), std::min(most + 1, rest.size()));
+    if (count > most) fail("the end of the variable", "more bytes");
+    most -= count;
   }
   file_.skip(compressed_);
 }

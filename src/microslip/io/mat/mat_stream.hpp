@@ -80,10 +80,9 @@ class MatInflateStream : public MatStream {
   [[nodiscard]] std::size_t at_most() const override;
 
   /// Goes behind the compressed data, and checks the checksum of the whole.
-  /// @param was_read  nothing may follow what was read; else the rest is passed over.
-  void finish(bool was_read);
-  /// Goes on to the end of the element in the file.
-  void abandon() { file_.skip(compressed_); }
+  /// @param most  bytes that may follow those that were read.
+  /// @throws FormatError  where more follow.
+  void finish(std::size_t most);
 
  private:
   std::size_t read_some(char* to, std::size_t size) override;
