@@ -31,6 +31,30 @@ TEST(CalculixMatrices, AreReadFromTheThreeFilesOfAJob) {
   EXPECT_THROW((void)read_calculix_matrices(folder.file("other")), FileError);
 }
 
+// CalculiX 2.20 expands a shell to solids: of S4 the lower and the upper face have the numbers of
+// its nodes. Of a cyclic sector with nodal diameters there are two rows for each line of JOB.dof.
+TEST(CalculixMatricesFault, NamesShellsAndCyclicSectors) {
+  const test::TemporaryFolder folder;
+  const auto message = [&](const std::string& degrees) {
+    test::put(folder.file("job.dof"), degrees);
+    for (const char* ending : {"job.sti", "job.mas"}) {
+      test::put(folder.file(ending), "1 1 2\n2 2 3\n3 3 2\n4 4 3\n1 4 1\n");
+    }
+    return message_of<FormatError>([&] { return read_calculix_matrices(folder.file("job")); });
+  };
+  const std::string shell = message("2.1\n2.2\n2.1\n2.2\n");
+  EXPECT_NE(shell.find("job.dof:3:1: expected each degree of freedom once, found node 2 x again, "
+                       "that of line 1. CalculiX expands shells and beams"),
+            std::string::npos)
+      << shell;
+  const std::string cyclic = message("2.1\n2.2\n");
+  EXPECT_NE(cyclic.find("job.dof, found 4 rows. They are real and imaginary part of a cyclic"),
+            std::string::npos)
+      << cyclic;
+  const std::string other = message("2.1\n2.2\n2.3\n");
+  EXPECT_NE(other.find("found 4 rows. Both must be of the same run"), std::string::npos) << other;
+}
+
 TEST(CalculixMatrices, DegreesAreReadInSeveralForms) {
   const std::vector<DegreeOfFreedom> degrees =
       parse_degrees("# rows\n1.1\r\n 2, y\n3 rz\n4\t6\n5 z\n", "");

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/matrices/calculix_matrices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -40,6 +43,77 @@ std::optional<DegreeOfFreedom> degree_of(std::string_view line) {
   return degree;
 }
 
+/// The largest number at the start of a line.
+std::size_t largest_row(std::string_view text, std::string_view file) {
+  std::size_t largest = 0;
+  NumberLines lines(text, file);
+  while (lines.next()) {
+    largest = std::max(largest, static_cast<std::size_t>(std::max<std::int64_t>(
+                                    lines.integer("a row"), lines.integer("a column"))));
+  }
+  return largest;
+}
+
+/// The numbers of rows and of lines, where they differ, say more than the first entry beyond.
+SymmetricEntries read_triangle(const std::string& job, std::string_view ending, std::size_t size) {
+  const std::string file = fmt::format("{}{}", job, ending);
+  const std::string text = read_text(file);
+  try {
+    return parse_triangle(text, file, size);
+  } catch (const FormatError&) {
+    const std::size_t rows = largest_row(text, file);
+    if (rows <= size) throw;
+    const std::string_view remedy =
+        rows == 2 * size ? "They are real and imaginary part of a cyclic sector (*CYCLIC SYMMETRY "
+                           "MODEL), which is not read: model the whole ring."
+                         : "Both must be of the same run of CalculiX.";
+    throw FormatError({file, 0, 0}, fmt::format("{} rows, the lines of {}.dof", size, job),
+                      fmt::format("{} rows", rows), remedy);
+  }
+}
+
+/// @param line_of  of each row, where it is asked for.
+std::vector<DegreeOfFreedom> parse_degree_lines(std::string_view text, std::string_view file,
+                                                std::vector<std::size_t>* line_of) {
+  std::vector<DegreeOfFreedom> degrees;
+  NumberLines lines(text, file);
+  while (lines.next()) {
+    const std::string_view line = trimmed(lines.line());
+    if (line.starts_with('#')) continue;
+    const bool carriage_return = line.ends_with('\r');
+    const std::optional<DegreeOfFreedom> degree =
+        degree_of(trimmed(carriage_return ? line.substr(0, line.size() - 1) : line));
+    if (!degree) {
+      throw FormatError(lines.place(), "a node and its direction, 12.3 or 12 z", in_quotes(line));
+    }
+    degrees.push_back(*degree);
+    if (line_of != nullptr) line_of->push_back(lines.place().line);
+  }
+  if (!degrees.empty()) return degrees;
+  throw FormatError({std::string(file), 0, 0}, "one line per row of the matrices", "none");
+}
+
+/// A line per row, each of another degree of freedom. @throws FormatError  where one is not.
+std::vector<DegreeOfFreedom> parse_different_degrees(std::string_view text, std::string_view file) {
+  std::vector<std::size_t> lines;
+  std::vector<DegreeOfFreedom> degrees = parse_degree_lines(text, file, &lines);
+  std::map<DegreeOfFreedom, std::size_t> row_of;
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    const auto [first, is_new] = row_of.emplace(degrees[i], i);
+    if (is_new) continue;
+    const auto& [node, direction] = degrees[i];
+    throw FormatError(
+        {std::string(file), lines[i], 1}, "each degree of freedom once",
+        fmt::format("node {} {} again, that of line {}", node,
+                    kNodalDirectionNames[static_cast<std::size_t>(direction)],
+                    lines[first->second]),
+        "CalculiX expands shells and beams to solids, whose nodes it numbers as the first one. "
+        "Model them with solid elements; or give the matrices by the keys stiffness and mass "
+        "without degrees_of_freedom, and places by the key row.");
+  }
+  return degrees;
+}
+
 }  // namespace
 
 SymmetricEntries parse_triangle(std::string_view text, std::string_view file, std::size_t size) {
@@ -62,21 +136,7 @@ SymmetricEntries parse_triangle(std::string_view text, std::string_view file, st
 }
 
 std::vector<DegreeOfFreedom> parse_degrees(std::string_view text, std::string_view file) {
-  std::vector<DegreeOfFreedom> degrees;
-  NumberLines lines(text, file);
-  while (lines.next()) {
-    const std::string_view line = trimmed(lines.line());
-    if (line.starts_with('#')) continue;
-    const bool carriage_return = line.ends_with('\r');
-    const std::optional<DegreeOfFreedom> degree =
-        degree_of(trimmed(carriage_return ? line.substr(0, line.size() - 1) : line));
-    if (!degree) {
-      throw FormatError(lines.place(), "a node and its direction, 12.3 or 12 z", in_quotes(line));
-    }
-    degrees.push_back(*degree);
-  }
-  if (!degrees.empty()) return degrees;
-  throw FormatError({std::string(file), 0, 0}, "one line per row of the matrices", "none");
+  return parse_degree_lines(text, file, nullptr);
 }
 
 std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {
@@ -86,10 +146,10 @@ std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {
 StructuralMatrices read_calculix_matrices(const std::string& job) {
   for (const char* ending : {".dof", ".sti", ".mas"}) check_named_file(job + ending);
   StructuralMatrices matrices;
-  matrices.degrees = read_degrees(job + ".dof");
+  matrices.degrees = parse_different_degrees(read_text(job + ".dof"), job + ".dof");
   const std::size_t size = matrices.degrees.size();
-  matrices.stiffness = parse_triangle(read_text(job + ".sti"), job + ".sti", size);
-  matrices.mass = parse_triangle(read_text(job + ".mas"), job + ".mas", size);
+  matrices.stiffness = read_triangle(job, ".sti", size);
+  matrices.mass = read_triangle(job, ".mas", size);
   return matrices;
 }
 

@@ -32,7 +32,9 @@ namespace microslip {
 [[nodiscard]] std::vector<DegreeOfFreedom> read_degrees(const std::string& path);
 
 /// The three files of a job. @param job  their path without the ending.
-/// @throws FileError, FormatError, InputError
+/// @throws FileError, FormatError, InputError  also where two rows are of one degree of freedom, as
+///         of shells and beams, and where there are more rows than degrees of freedom, as of a
+///         cyclic sector.
 [[nodiscard]] StructuralMatrices read_calculix_matrices(const std::string& job);
 
 }  // namespace microslip
