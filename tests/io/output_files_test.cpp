@@ -46,6 +46,15 @@ TEST(OutputFiles, WritesAFile) {
   EXPECT_EQ(folder.names(), Names{"levels.csv"});
 }
 
+// An editor may have put blanks and carriage returns above the heading.
+TEST(OutputFiles, KnowsAFileWithBlankLinesOfDosAboveItsHeading) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("levels.csv");
+  put(path, "\t \r\n\r\n# note\r\n" + kOwn + "amplitude [m],dissipation [J]\r\n1,2\r\n");
+  write_file(path, kLevelsText);
+  EXPECT_EQ(get(path), kLevelsText);
+}
+
 // What a killed process left goes with the next file that is written there; what a living one works
 // on stays.
 TEST(OutputFiles, RemovesWhatAKilledProcessLeft) {

@@ -94,6 +94,8 @@ TEST(RecordingFormat, NamesFormatsOfLaboratories) {
       {"TDSm\x0E\0\0\0"s, "a TDMS file of LabVIEW", "as_hdf"},
       {"LabVIEW Measurement\t\r\n", "an LVM file of LabVIEW", "Save it as CSV"},
       {"MDF     4.10    ", "an MDF file (ASAM)", "asammdf"},
+      {"BZh11AY&SY\x5C", "a bzip2 archive", "Unpack it first"},
+      {"BZh91AY&SY\x5C", "a bzip2 archive", "Unpack it first"},
       {"RIFF\x24\0\0\0WAVEfmt "s, "a WAV file", "no unit"},
       {"\x93NUMPY\x01\0v\0{"s, "an NPY file of NumPy", "savemat"},
       {"CDF\x01\0\0\0\0"s, "a netCDF-3 file", "nccopy -k nc4"},

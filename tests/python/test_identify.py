@@ -95,6 +95,8 @@ def test_tables(levels, tmp_path):
         assert microslip.identify(table, stiffness=K).joint == plain.joint
     with pytest.raises(ValueError, match=r"amplitude \[N\] is in a unit of another quantity"):
         microslip.Levels.of(pandas.DataFrame({"amplitude [N]": [1.0], "dissipation": [1.0]}))
+    with pytest.raises(ValueError, match=r"column amplitude \[V\]: unit = 'V'; must be a known unit"):
+        microslip.Levels.of({"amplitude [V]": [1.0], "dissipation": [1.0]})
     in_mm = pandas.DataFrame({"amplitude [mm]": [1.0], "dissipation (mJ)": [3.0], "frequency": [5.0]})
     converted = microslip.Levels.of(in_mm)
     assert (converted.amplitude, converted.dissipation, converted.frequency) == (1e-3, 3e-3, 5.0)

@@ -34,7 +34,6 @@ constexpr std::array kBinary{
     Signature{"PK\x03\x04"sv, "a ZIP archive or a spreadsheet",
               "Save a spreadsheet as CSV; unpack an archive."},
     Signature{"\x1F\x8B"sv, "a gzip archive", kUnpack},
-    Signature{"BZh91AY&SY"sv, "a bzip2 archive", kUnpack},
     Signature{"\xFD\x37zXZ"sv, "an xz archive", kUnpack},
     Signature{"\x28\xB5\x2F\xFD"sv, "a Zstandard archive", kUnpack},
     Signature{"7z\xBC\xAF\x27\x1C"sv, "a 7z archive", kUnpack},
@@ -71,6 +70,7 @@ constexpr std::array kBinary{
 
 constexpr Signature kWav{"", "a WAV file",
                          "Its values have no unit. Save them with units: CSV, or MATLAB (v7)."};
+constexpr Signature kBzip2{"", "a bzip2 archive", kUnpack};
 constexpr Signature kMat4{"", "a MAT file of version 4",
                           "In MATLAB or Octave: load it, and save -v7 FILE."};
 
@@ -87,6 +87,12 @@ constexpr std::array kTextSignatures{
 bool is_wav(std::string_view head) {
   return (head.starts_with("RIFF") || head.starts_with("RF64")) && head.size() >= 12 &&
          head.substr(8, 4) == "WAVE";
+}
+
+/// The digit is the size of its blocks, in 100 kB; π follows in decimal digits of four bits.
+bool is_bzip2(std::string_view head) {
+  return head.starts_with("BZh") && head.size() > 3 && head[3] >= '1' && head[3] <= '9' &&
+         head.substr(4).starts_with("1AY&SY");
 }
 
 /// MATLAB: MAT-File Format, "Level 4". It has no mark: the type of a matrix, its rows, columns and
@@ -129,6 +135,7 @@ std::string_view signature(std::string_view head) {
     if (head.starts_with(s.start)) return s.name;
   }
   if (is_wav(head)) return kWav.name;
+  if (is_bzip2(head)) return kBzip2.name;
   if (is_mat4(head)) return kMat4.name;
   if (is_universal_file(head)) return "a universal file";
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
@@ -145,7 +152,7 @@ std::string_view signature(std::string_view head) {
 }
 
 std::string_view remedy_for_signature(std::string_view signature) {
-  for (const Signature& s : {kWav, kMat4}) {
+  for (const Signature& s : {kWav, kBzip2, kMat4}) {
     if (s.name == signature) return s.remedy;
   }
   const auto* const found = std::ranges::find(kBinary, signature, &Signature::name);

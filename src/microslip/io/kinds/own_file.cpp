@@ -44,12 +44,14 @@ bool has_heading(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   constexpr std::string_view kHeading = "# microslip ";
   while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    if (!trimmed(line).empty() && line.front() != '#' && line != "\r") return false;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line =
+        text.substr(0, end - (text.substr(0, end).ends_with('\r') ? 1 : 0));
+    if (!trimmed(line).empty() && line.front() != '#') return false;
     const bool is_heading = line.starts_with(kHeading) && line.size() > kHeading.size() &&
                             line[kHeading.size()] >= '0' && line[kHeading.size()] <= '9';
     if (is_heading) return true;
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;
 }

@@ -238,7 +238,10 @@ def _in_si(values: Any, key: str, unit: str, name: str) -> Any:
     """Values of a column in the unit of its quantity."""
     if name not in _UNITS or not unit or unit == _UNITS[name]:
         return values
-    numerator, denominator, si_unit = _core.unit(unit)
+    try:
+        numerator, denominator, si_unit = _core.unit(unit)
+    except InputError as error:
+        raise InputError(f"column {key}: {error}") from None
     if si_unit != _UNITS[name]:
         raise InputError(f"{key} is in a unit of another quantity; must be in one of {_UNITS[name]}")
     return real_array(values, key) * numerator / denominator
