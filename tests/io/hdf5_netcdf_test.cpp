@@ -4,6 +4,7 @@
 // as netCDF4-python 1.6.2 and xarray 2023.01 write them (NetCDF Users Guide; CF Conventions 1.10,
 // sections 2.5.1, 4.4 and 8.1), and npTDMS 1.7.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
@@ -78,10 +79,12 @@ TEST_F(Hdf5NetCdf, LeavesOutWhatIsOverAnotherDimension) {
   const Recordings all = read();
   ASSERT_EQ(all.recordings.size(), 1U);
   EXPECT_EQ(all.recordings[0].channels.size(), 1U);
-  ASSERT_EQ(all.warnings.size(), 1U);
-  EXPECT_EQ(all.warnings[0].text, path_ +
-                                      ":/shape: left out, it has 'time', which is that of "
-                                      "another dimension");
+  ASSERT_EQ(all.warnings.size(), 2U);
+  for (const std::size_t i : {0, 1}) {
+    EXPECT_EQ(all.warnings[i].text, path_ + (i == 0 ? ":/shape" : ":/position") +
+                                        ": left out, it has 'time', which is that of another "
+                                        "dimension");
+  }
 }
 
 // Groups share the dimensions of the one that they are in; a time may be one beside others.
@@ -164,7 +167,139 @@ TEST_F(Hdf5NetCdf, UnpacksIntegers) {
   EXPECT_EQ(all.recordings[0].sampling_rate(), 8.0);
   EXPECT_EQ(all.recordings[0].axis.start, 1.25);
   EXPECT_EQ(all.recordings[0].channel("acc").values, (std::vector{0.0, -3e-3, -0.5e-3}));
-  EXPECT_TRUE(all.recordings[0].channel("acc").attributes.empty());
+  EXPECT_EQ(all.recordings[0].channel("acc").attributes,
+            (Attributes{{"applied_scale_factor", "0.25"}, {"applied_add_offset", "-1"}}));
+}
+
+// NetCDF Users Guide, valid_range: where it is of the type of scale_factor and that is wider than
+// the stored one, it is one of values. 200 is stored for 2, 90 for 0.9, below 1.
+TEST_F(Hdf5NetCdf, TakesARangeOfFractionsForOneOfValues) {
+  {
+    OtherFile file(path_);
+    file.number("/", "fs", 8.0);
+    for (const char* name : {"inside", "below"}) {
+      const short first = name[0] == 'i' ? 200 : 90;
+      file.dataset<short>(name, H5T_NATIVE_SHORT, {3}, {first, 200, 300});
+      file.numbers(name, "scale_factor", {0.01});
+      file.numbers(name, "valid_range", {1.0, 3.0});
+    }
+  }
+  const Recordings all = read();
+  EXPECT_EQ(all.recordings.at(0).channel("inside").values, (std::vector{2.0, 2.0, 3.0}));
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_NE(all.warnings[0].text.find("0.9 is below 1, the least of valid_range"),
+            std::string::npos)
+      << all.warnings[0].text;
+}
+
+// Of a file of h5py, valid_max may be the range of a sensor, and scale_factor its sensitivity.
+TEST_F(Hdf5NetCdf, DoesNotUnpackFractionsOfOtherFiles) {
+  const auto write = [&](bool netcdf) {
+    OtherFile file(path_);
+    if (netcdf) file.text("/", "Conventions", "CF-1.10");
+    file.number("/", "fs", 8.0);
+    file.dataset<double>("acc", H5T_NATIVE_DOUBLE, {3}, {1, 2, 4});
+    file.number("acc", "scale_factor", 0.5);
+    file.number("acc", "valid_max", 3.0 + (netcdf ? 1.0 : 0.0));
+  };
+  write(false);
+  const Recordings plain = read();
+  const Channel& acc = plain.recordings.at(0).channel("acc");
+  EXPECT_EQ(acc.values, (std::vector{1.0, 2.0, 4.0}));
+  EXPECT_EQ(acc.attributes, (Attributes{{"scale_factor", "0.5"}, {"valid_max", "3"}}));
+  ASSERT_EQ(plain.warnings.size(), 1U);
+  EXPECT_EQ(plain.warnings[0].text,
+            path_ +
+                ":/acc: scale_factor, valid_max kept as attributes and not applied: the values "
+                "are no integers and the file is not netCDF");
+  write(true);
+  const Recordings packed = read();
+  EXPECT_EQ(packed.recordings.at(0).channel("acc").values, (std::vector{0.5, 1.0, 2.0}));
+  EXPECT_TRUE(packed.warnings.empty());
+}
+
+// xarray stores force(displacement): the dimension is what was measured, not the time.
+TEST_F(Hdf5NetCdf, KeepsADisplacementThatIsADimension) {
+  {
+    OtherFile file(path_);
+    add_scale(file, "displacement", {0, 2, 1}, "mm");
+    add_over(file, "force", "displacement");
+    file.text("force", "units", "N");
+  }
+  const Recordings all = read_recordings_hdf5(path_, {.allow_untimed = true});
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_EQ(all.recordings[0].channel("force").values, kValues);
+  EXPECT_EQ(all.recordings[0].channel("displacement").values, (std::vector{0.0, 2e-3, 1e-3}));
+}
+
+// A scale that is no axis is named: one that nothing is over, and positions over another dimension
+// than the time. Positions of channels are attributes of these.
+TEST_F(Hdf5NetCdf, DropsNoScaleWithoutAWord) {
+  {
+    OtherFile file(path_);
+    add_scale(file, "time", {0, 1e-3, 2e-3}, "s");
+    add_scale(file, "time_2", {0, 1e-3}, "s");
+    add_scale(file, "position", {0.5, 1}, "m");
+    file.dataset<double>("acc", H5T_NATIVE_DOUBLE, {3, 2}, {1, 10, 2, 20, 3, 30});
+    file.scales("acc", {"time", "position"});
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  ASSERT_EQ(all.recordings[0].channels.size(), 2U);
+  EXPECT_EQ(all.recordings[0].channels[0].attributes, (Attributes{{"position", "0.5 m"}}));
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_EQ(all.warnings[0].text, path_ + ":/time_2: left out, nothing is given over it");
+}
+
+// Over a speed and a time, values are over the time; so they are where hours stand first.
+TEST_F(Hdf5NetCdf, TakesTheBestOfSeveralScales) {
+  {
+    OtherFile file(path_);
+    add_scale(file, "speed", {100, 200, 300}, "rpm");
+    add_scale(file, "seconds", {0, 1, 2}, "s");
+    file.dataset<double>("acc", H5T_NATIVE_DOUBLE, {3, 3}, {1, 2, 3, 4, 5, 6, 7, 8, 9});
+    file.scales("acc", {"speed", "seconds"});
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_EQ(all.recordings[0].axis.dimension, kTime);
+  EXPECT_EQ(all.recordings[0].channels.at(0).values, (std::vector{1.0, 2.0, 3.0}));
+}
+
+// CF Conventions, section 4.4. Of months it is not known how long they are.
+TEST_F(Hdf5NetCdf, LeavesOutWhatIsOverAnUnknownUnitAlone) {
+  {
+    OtherFile file(path_);
+    add_scale(file, "time", {0, 1, 2}, "months since 2024-01-01");
+    add_over(file, "slow", "time");
+    file.group("run");
+    add_scale(file, "run/time", {0, 0.5, 1}, "days since 2024-01-01");
+    add_over(file, "run/acc", "run/time");
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_EQ(all.recordings[0].axis.step, 43200.0);  // s, half a day
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_EQ(
+      all.warnings[0].text,
+      path_ + ":/slow: left out, it has 'time' in 'months since 2024-01-01', an unknown unit");
+}
+
+// A ramp of force called f is no frequency, a torque called t no time.
+TEST_F(Hdf5NetCdf, TakesNoForceForAFrequency) {
+  {
+    OtherFile file(path_);
+    file.number("/", "fs", 8.0);
+    for (const char* name : {"f", "t"}) {
+      file.dataset<double>(name, H5T_NATIVE_DOUBLE, {3}, {0, 1, 2});
+      file.text(name, "units", name[0] == 'f' ? "N" : "N m");
+    }
+  }
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  EXPECT_EQ(all.recordings[0].axis.dimension, kTime);
+  EXPECT_EQ(all.recordings[0].channel("f").dimension, kForce);
+  EXPECT_EQ(all.recordings[0].channels.size(), 2U);
 }
 
 // What was never written, or is masked, has a value that stands for none. The fill value of the
@@ -182,7 +317,7 @@ TEST_F(Hdf5NetCdf, LeavesOutChannelsWithMissingValues) {
     file.dataset<float>("zeros", H5T_NATIVE_FLOAT, {3}, {0, 1, 0}, creation);
     H5Pclose(creation);
     file.dataset<float>("masked", H5T_NATIVE_FLOAT, {3}, {1, 1e20F, 2});
-    file.number("masked", "missing_value", 1e20);  // as a double it is another number
+    file.numbers("masked", "missing_value", {1e20, 1e300});  // as a double, and beyond single ones
     file.dataset<short>("out", H5T_NATIVE_SHORT, {3}, {1, 200, 2});
     file.numbers("out", "valid_range", {-100, 100});
     file.dataset<double>("nan", H5T_NATIVE_DOUBLE, {3}, {1, std::nan(""), 2});
@@ -196,7 +331,8 @@ TEST_F(Hdf5NetCdf, LeavesOutChannelsWithMissingValues) {
   EXPECT_EQ(all.warnings[3].code, "channel_left_out");
   EXPECT_EQ(message_of<InputError>([&] { (void)recording.channel("unwritten"); }),
             "a.nc: channel 'unwritten' is left out; must have a value at each point; 2 of its 3 "
-            "values are missing or not finite, the first at point 2");
+            "values are missing or not finite, the first at point 2: " +
+                fmt::format("{}", double{kFill}) + " is the fill value of the dataset");
 }
 
 TEST_F(Hdf5NetCdf, RefusesValuesOfWhichNoneIsWhole) {
@@ -206,7 +342,9 @@ TEST_F(Hdf5NetCdf, RefusesValuesOfWhichNoneIsWhole) {
     file.number("x", "fs", 8.0);
     file.number("x", "_FillValue", -3);
   }
-  EXPECT_NE(message().find("2 of 3 values are missing or not finite"), std::string::npos)
+  EXPECT_NE(message().find("channel 'x', point 2 is without value: -3 is the _FillValue; must be "
+                           "finite; 2 of 3 values are missing or not finite. If it is a value"),
+            std::string::npos)
       << message();
 }
 

@@ -16,7 +16,9 @@
 #include "microslip/io/hdf5/hdf5_packing.hpp"
 #include "microslip/io/hdf5/hdf5_scales.hpp"
 #include "microslip/io/hdf5/hdf5_values.hpp"
+#include "microslip/io/recordings/axis_rank.hpp"
 #include "microslip/io/recordings/sampling.hpp"
+#include "microslip/signal/recording/missing_values.hpp"
 #include "microslip/signal/recording/quantity_name.hpp"
 
 namespace microslip {
@@ -76,11 +78,32 @@ struct AxisAlong {
   std::size_t side = 0;
 };
 
+/// The points of an axis, or why they cannot be used.
+struct PointsOrFault {
+  PointsAxis points;
+  std::string fault = {};  ///< for WithoutAxis::found; empty where there is none
+};
+
 /// The axis that the datasets of a group share by its name.
 struct AxisBeside {
-  PointsAxis points;
+  PointsOrFault read;
   std::string name;
   std::vector<haddr_t> scales;  ///< of its one dimension; itself where it is a scale
+};
+
+/// A scale of time or frequency.
+struct ScaleAxis {
+  PointsOrFault read;
+  AxisRank rank = AxisRank::kDoubtful;
+};
+
+/// A group whose datasets have been read, but for scales that may turn out to be axes of others.
+struct GroupRead {
+  std::string source;
+  std::vector<Recording> recordings = {};
+  std::vector<Dataset> scales = {};
+  std::optional<AxisBeside> axis = {};
+  Sampling sampling = {};
 };
 
 std::vector<haddr_t> addresses_of(const std::vector<Hdf5Handle>& scales) {
@@ -92,7 +115,7 @@ std::vector<haddr_t> addresses_of(const std::vector<Hdf5Handle>& scales) {
 /// Values over another dimension than the axis are not over it, however many they are. Where the
 /// file names no dimensions, the number of values decides.
 bool may_share(const DatasetSide& side, const AxisBeside& axis) {
-  if (side.size != axis.points.points) return false;
+  if (side.size != axis.read.points.points) return false;
   if (side.scales.empty() || axis.scales.empty()) return true;
   return std::ranges::any_of(addresses_of(side.scales), [&](haddr_t address) {
     return std::ranges::find(axis.scales, address) != axis.scales.end();
@@ -115,11 +138,14 @@ class ForeignReader {
       : path_(std::move(path)), progress_(progress) {}
 
   Recordings read(hid_t file, bool allow_untimed) {
-    read_group(file, "", {}, 0);
+    netcdf_ = is_netcdf(file);
+    read_all(file, {});
     if (result_.recordings.empty() && allow_untimed && may_be_untimed(without_axis_)) {
       visited_.clear();
       without_axis_.clear();
-      read_group(file, "", {.step = 1.0}, 0);
+      served_.clear();
+      result_.warnings.clear();
+      read_all(file, {.step = 1.0});
       result_.warnings.push_back(points_untimed(path_));
     }
     if (result_.recordings.empty()) fail_without_recording();
@@ -128,6 +154,24 @@ class ForeignReader {
   }
 
  private:
+  /// By what the library of netCDF-4 writes, or the attribute of its conventions.
+  static bool is_netcdf(hid_t file) {
+    const auto has = [&](const char* name) { return H5Aexists(file, name) > 0; };
+    return has("_NCProperties") || has("_nc3_strict") || has("Conventions");
+  }
+
+  void read_all(hid_t file, const Sampling& sampling) {
+    groups_.clear();
+    read_group(file, "", sampling, 0);
+    for (GroupRead& group : groups_) {
+      read_scales(group);
+      for (Recording& recording : group.recordings) {
+        check_foreign(recording, path_, result_.warnings);
+        result_.recordings.push_back(std::move(recording));
+      }
+    }
+  }
+
   void read_group(hid_t group, const std::string& inside, Sampling sampling, int depth) {
     const std::string place = fmt::format("{}:{}", path_, inside.empty() ? "/" : inside);
     if (depth > kDeepestGroup || !visit(group)) return;
@@ -173,6 +217,10 @@ class ForeignReader {
     for (std::size_t i = 0; i < sizes.size(); ++i) {
       if (sizes[i] != 1) dataset.sides.push_back({sizes[i], std::move(scales[i])});
     }
+    if (dataset.sides.size() == 1 && is_hdf5_scale(dataset.handle.id(), place)) {
+      H5Iinc_ref(dataset.handle.id());  // it is over itself
+      dataset.sides[0].scales.emplace_back(dataset.handle.id(), H5Oclose);
+    }
     if (!dataset.sides.empty()) {
       datasets.push_back(std::move(dataset));
       return;
@@ -188,33 +236,69 @@ class ForeignReader {
 
   void read_datasets(std::vector<Dataset>& datasets, const Sampling& sampling,
                      const std::string& inside) {
-    std::vector<Recording> recordings;
-    const std::optional<AxisBeside> axis = read_axis(datasets, sampling);
-    // Coordinates of a dimension are no channels.
-    std::erase_if(datasets, [](const Dataset& d) { return is_hdf5_scale(d.handle.id(), d.place); });
-    const std::string source = file_name(path_) + (inside.empty() ? std::string{} : ":" + inside);
-    for (const Dataset& dataset : datasets)
-      read_dataset(recordings, source, dataset, axis, sampling);
-    for (Recording& recording : recordings) {
-      check_foreign(recording, path_, result_.warnings);
-      result_.recordings.push_back(std::move(recording));
+    GroupRead group{file_name(path_) + (inside.empty() ? std::string{} : ":" + inside)};
+    group.axis = read_axis(datasets, sampling);
+    group.sampling = sampling;
+    if (group.axis) served_.insert(group.axis->scales.begin(), group.axis->scales.end());
+    for (Dataset& dataset : datasets) {
+      if (is_hdf5_scale(dataset.handle.id(), dataset.place)) {
+        group.scales.push_back(std::move(dataset));
+      } else {
+        (void)read_dataset(group, dataset);
+      }
+    }
+    groups_.push_back(std::move(group));
+  }
+
+  /// Scales that are the axis of no dataset are channels: a force may be over a displacement.
+  void read_scales(GroupRead& group) {
+    for (const Dataset& scale : group.scales) {
+      if (served_.contains(hdf5_address(scale.handle.id()))) continue;
+      std::string reason = "nothing is given over it";
+      const bool is_axis = axis_of_scale(scale.handle, group.sampling, scale.place) != nullptr;
+      if (is_axis) {
+        result_.warnings.push_back(
+            {"scale_unused", fmt::format("{}: left out, {}", scale.place, reason)});
+      } else if (read_dataset(group, scale)) {
+        continue;
+      } else {
+        reason = "it is not over the axis of the others";
+      }
+      for (Recording& recording : group.recordings) {
+        recording.left_out.push_back({scale.name, reason});
+      }
     }
   }
 
-  static std::vector<double> read_values(hid_t dataset, const std::string& place) {
+  [[nodiscard]] std::vector<double> read_values(hid_t dataset, const std::string& place) const {
     std::vector<double> values;
     read_hdf5_real(dataset, values, place);
-    unpack(hdf5_packing(dataset, place), values);
+    (void)unpack(hdf5_packing(dataset, place, netcdf_), values);
     return values;
+  }
+
+  /// Points that a dataset gives. Those of an unknown unit are no fault of what is over others.
+  PointsOrFault read_points(std::vector<double> points, const std::string& unit,
+                            const Dimension& usual, const std::string& name,
+                            const std::string& place, const Sampling& sampling) {
+    const std::size_t count = points.size();
+    try {
+      return {axis_of_points({std::move(points), unit, usual, place}, sampling.step)};
+    } catch (const InputError& error) {
+      if (!axis_fault_) axis_fault_ = error;
+      return {{.axis = {}, .points = count}, points_of_unknown_unit(name, unit)};
+    }
   }
 
   /// The dataset of the points, removed from the others.
   std::optional<AxisBeside> read_axis(std::vector<Dataset>& datasets, const Sampling& sampling) {
-    const auto take = [&](const auto& names, const Dimension& usual) -> std::optional<AxisBeside> {
+    const auto take = [&](const char* name, const Dimension& usual) -> std::optional<AxisBeside> {
       std::vector<double> points;
       const auto found = std::ranges::find_if(datasets, [&](const Dataset& d) {
-        if (!is_one_of(d.name, names) || d.sides.size() != 1) return false;
+        if (d.name != name || d.sides.size() != 1) return false;
         if (hdf5_content(d.handle.id()) != Hdf5Content::kReal) return false;
+        if (!may_be_unit_of_points(text_of(d.handle.id(), kUnitNames, d.place), usual))
+          return false;
         points = read_values(d.handle.id(), d.place);
         return may_be_points(d.name, points);
       });
@@ -224,33 +308,42 @@ class ForeignReader {
       const hid_t id = dataset.handle.id();
       AxisBeside axis{{}, dataset.name, addresses_of(dataset.sides[0].scales)};
       if (is_hdf5_scale(id, dataset.place)) axis.scales.push_back(hdf5_address(id));
-      axis.points = axis_of_points(
-          {std::move(points), text_of(id, kUnitNames, dataset.place), usual, dataset.place},
-          sampling.step);
+      axis.read = read_points(std::move(points), text_of(id, kUnitNames, dataset.place), usual,
+                              dataset.name, dataset.place, sampling);
       return axis;
     };
-    auto axis = take(kTimeNames, kTime);
-    return axis ? axis : take(kFrequencyNames, kFrequency);
+    for (const char* name : kTimeNames) {
+      if (auto axis = take(name, kTime)) return axis;
+    }
+    for (const char* name : kFrequencyNames) {
+      if (auto axis = take(name, kFrequency)) return axis;
+    }
+    return std::nullopt;
   }
 
-  /// Points that a scale gives, if it is one of time or frequency; each scale is read once.
-  const std::optional<PointsAxis>& axis_of_scale(const Hdf5Handle& scale, const Sampling& sampling,
-                                                 const std::string& place) {
+  /// Points that a scale gives, null unless it is one of time or frequency; each is read once.
+  const ScaleAxis* axis_of_scale(const Hdf5Handle& scale, const Sampling& sampling,
+                                 const std::string& place) {
     const auto [found, is_new] = scales_.try_emplace(hdf5_address(scale.id()));
-    if (!is_new) return found->second;
+    if (is_new) found->second = read_scale(scale, sampling, place);
+    return found->second ? &*found->second : nullptr;
+  }
+
+  std::optional<ScaleAxis> read_scale(const Hdf5Handle& scale, const Sampling& sampling,
+                                      const std::string& place) {
     const hid_t id = scale.id();
     std::array<char, 256> path{};
     H5Iget_name(id, path.data(), path.size() - 1);
     const std::string inside = fmt::format("{}:{}", path_, printable(path.data()));
     const bool numbers = hdf5_content(id) == Hdf5Content::kReal && hdf5_sizes(id).size() == 1;
-    if (!numbers || is_bare_dimension(id, place)) return found->second;
+    if (!numbers || is_bare_dimension(id, place)) return std::nullopt;
     const std::string unit = text_of(id, kUnitNames, inside);
-    const std::optional<Dimension> dimension = dimension_of_scale(file_name(path.data()), unit);
-    if (dimension) {
-      found->second =
-          axis_of_points({read_values(id, inside), unit, *dimension, inside}, sampling.step);
-    }
-    return found->second;
+    const std::string name = file_name(path.data());
+    const std::optional<Dimension> dimension = dimension_of_scale(name, unit);
+    if (!dimension) return std::nullopt;
+    const Unit known = find_unit_of_points(unit).value_or(Unit{.dimension = *dimension});
+    return ScaleAxis{read_points(read_values(id, inside), unit, *dimension, name, inside, sampling),
+                     rank_as_axis(name, known).value_or(AxisRank::kFrequencyUnit)};
   }
 
   static std::optional<Dimension> dimension_of_scale(const std::string& name,
@@ -258,7 +351,7 @@ class ForeignReader {
     const auto is_axis = [](const Dimension& d) {
       return d == kTime || d == kFrequency || d == kAngularFrequency;
     };
-    const std::optional<Unit> known = find_unit(unit.substr(0, unit.find(" since ")));
+    const std::optional<Unit> known = find_unit_of_points(unit);
     if (!unit.empty() && known) {
       return is_axis(known->dimension) ? std::optional(known->dimension) : std::nullopt;
     }
@@ -268,24 +361,44 @@ class ForeignReader {
     return named && is_axis(*named) ? named : std::nullopt;
   }
 
-  std::optional<AxisAlong> find_axis(const Dataset& dataset, const std::optional<AxisBeside>& axis,
-                                     Sampling sampling) {
+  /// The best of the axes that the file names for the sides of a dataset.
+  std::optional<AxisAlong> axis_of_scales(const Dataset& dataset, const GroupRead& group,
+                                          std::string& fault) {
+    std::optional<AxisAlong> best;
+    AxisRank rank = AxisRank::kDoubtful;
     for (std::size_t side = 0; side < dataset.sides.size(); ++side) {
-      for (const Hdf5Handle& scale : dataset.sides[side].scales) {
-        const auto& points = axis_of_scale(scale, sampling, dataset.place);
-        if (points && points->points == dataset.sides[side].size) {
-          return AxisAlong{points->axis, side};
+      for (const Hdf5Handle& handle : dataset.sides[side].scales) {
+        const ScaleAxis* scale = axis_of_scale(handle, group.sampling, dataset.place);
+        if (scale == nullptr) continue;
+        served_.insert(hdf5_address(handle.id()));
+        if (scale->read.points.points != dataset.sides[side].size) continue;
+        if (!scale->read.fault.empty()) {
+          fault = scale->read.fault;
+        } else if (!best || scale->rank < rank) {
+          best = AxisAlong{scale->read.points.axis, side};
+          rank = scale->rank;
         }
       }
     }
+    const bool time_beside = group.axis && group.axis->read.fault.empty() && best &&
+                             may_share(dataset.sides[best->side], *group.axis);
+    return rank == AxisRank::kDoubtful && time_beside ? std::nullopt : best;
+  }
+
+  /// @param fault  why an axis that there is cannot be used.
+  std::optional<AxisAlong> find_axis(const Dataset& dataset, const GroupRead& group,
+                                     std::string& fault) {
+    if (auto along = axis_of_scales(dataset, group, fault)) return along;
+    const std::optional<AxisBeside>& axis = group.axis;
     const std::size_t longest = dataset.longest();
-    if (axis && may_share(dataset.sides[longest], *axis)) {
-      return AxisAlong{axis->points.axis, longest};
+    std::vector<std::size_t> sides{longest};
+    for (std::size_t side = 0; side < dataset.sides.size(); ++side) sides.push_back(side);
+    for (const std::size_t side : sides) {
+      if (!axis || !may_share(dataset.sides[side], *axis)) continue;
+      fault = axis->read.fault;
+      if (fault.empty()) return AxisAlong{axis->read.points.axis, side};
     }
-    for (std::size_t side = 0; axis && side < dataset.sides.size(); ++side) {
-      if (may_share(dataset.sides[side], *axis)) return AxisAlong{axis->points.axis, side};
-    }
-    sampling = sampling_of(dataset.handle.id(), sampling, dataset.place);
+    const Sampling sampling = sampling_of(dataset.handle.id(), group.sampling, dataset.place);
     if (!sampling.step) return std::nullopt;
     const auto named = std::ranges::find_if(dataset.sides, speaks_of_time);
     return AxisAlong{even_axis(sampling),
@@ -294,27 +407,29 @@ class ForeignReader {
                          : static_cast<std::size_t>(named - dataset.sides.begin())};
   }
 
-  void read_dataset(std::vector<Recording>& recordings, const std::string& source,
-                    const Dataset& dataset, const std::optional<AxisBeside>& axis,
-                    const Sampling& sampling) {
+  /// False where it is left out.
+  bool read_dataset(GroupRead& group, const Dataset& dataset) {
     const bool empty =
         std::ranges::find(dataset.sides, 0U, &DatasetSide::size) != dataset.sides.end();
-    if (dataset.sides.size() > 2 || empty) return;
-    const std::optional<AxisAlong> along = find_axis(dataset, axis, sampling);
+    if (dataset.sides.size() > 2 || empty) return false;
+    std::string fault;
+    const std::optional<AxisAlong> along = find_axis(dataset, group, fault);
     if (!along) {
-      without_axis_.push_back({dataset.place, axis ? found_beside(dataset, *axis) : ""});
-      return;
+      if (fault.empty() && group.axis) fault = found_beside(dataset, *group.axis);
+      without_axis_.push_back({dataset.place, fault});
+      return false;
     }
     for (Channel& channel : read_channels(dataset, along->side)) {
-      add_channel(recordings, source, along->axis, std::move(channel), dataset.name);
+      add_channel(group.recordings, group.source, along->axis, std::move(channel), dataset.name);
     }
+    return true;
   }
 
   static std::string found_beside(const Dataset& dataset, const AxisBeside& axis) {
     const hsize_t values = dataset.sides[dataset.longest()].size;
-    if (values != axis.points.points) {
-      return fmt::format("{} of {} values for its {}", in_quotes(axis.name), axis.points.points,
-                         values);
+    const std::size_t points = axis.read.points.points;
+    if (values != points) {
+      return fmt::format("{} of {} values for its {}", in_quotes(axis.name), points, values);
     }
     return fmt::format("{}, which is that of another dimension", in_quotes(axis.name));
   }
@@ -323,7 +438,9 @@ class ForeignReader {
     const hid_t id = dataset.handle.id();
     Channel first;
     first.name = hdf5_text(id, "channel_name", dataset.place).value_or(dataset.name);
-    first.attributes = attributes_of(dataset);
+    const Hdf5Packing packing = hdf5_packing(id, dataset.place, netcdf_);
+    first.attributes = attributes_of(dataset, packing);
+    if (!packing.applies) warn_of_packing(dataset);
     const std::string unit = text_of(id, kUnitNames, dataset.place);
     std::vector<Channel> channels;
     if (dataset.sides.size() == 2) {
@@ -335,10 +452,10 @@ class ForeignReader {
       read_hdf5_complex(id, first.values, first.imaginary, dataset.place);
       channels.push_back(std::move(first));
     }
-    const Hdf5Packing packing = hdf5_packing(id, dataset.place);
     for (Channel& channel : channels) {
-      unpack(packing, channel.values);
-      unpack(packing, channel.imaginary);
+      std::string missing = unpack(packing, channel.values);
+      if (missing.empty()) missing = unpack(packing, channel.imaginary);
+      if (!missing.empty()) channel.attributes.emplace_back(kMissingAttribute, missing);
       apply_unit(channel, unit, dataset.place, result_.warnings);
       progress_.add(channel.values.size() + channel.imaginary.size());
     }
@@ -356,27 +473,73 @@ class ForeignReader {
     std::vector<std::vector<double>> parts =
         along == 1 ? read_hdf5_rows(id, dataset.place) : read_hdf5_columns(id, dataset.place);
     std::vector<Channel> channels;
+    const std::vector<Label> labels = read_labels(dataset, 1 - along);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       Channel channel = first;
       channel.name = fmt::format("{}_{}", first.name, i + 1);
+      for (const Label& label : labels) {
+        channel.attributes.emplace_back(
+            label.name,
+            fmt::format("{}{}{}", label.values[i], label.unit.empty() ? "" : " ", label.unit));
+      }
       channel.values = std::move(parts[i]);
       channels.push_back(std::move(channel));
     }
     return channels;
   }
 
-  static Attributes attributes_of(const Dataset& dataset) {
+  /// Numbers by which a scale tells the channels of a matrix apart: positions, for instance.
+  struct Label {
+    std::string name;
+    std::string unit;
+    std::vector<double> values;
+  };
+
+  std::vector<Label> read_labels(const Dataset& dataset, std::size_t side) {
+    std::vector<Label> labels;
+    for (const Hdf5Handle& scale : dataset.sides[side].scales) {
+      const hid_t id = scale.id();
+      served_.insert(hdf5_address(id));
+      const bool numbers = hdf5_content(id) == Hdf5Content::kReal && hdf5_sizes(id).size() == 1;
+      if (!numbers || is_bare_dimension(id, dataset.place)) continue;
+      std::array<char, 256> path{};
+      H5Iget_name(id, path.data(), path.size() - 1);
+      Label label{printable(file_name(path.data())), text_of(id, kUnitNames, dataset.place),
+                  read_values(id, dataset.place)};
+      if (label.values.size() == dataset.sides[side].size) labels.push_back(std::move(label));
+    }
+    return labels;
+  }
+
+  void warn_of_packing(const Dataset& dataset) {
+    const std::string names = packing_attributes(dataset.handle.id());
+    if (names.empty()) return;
+    result_.warnings.push_back(
+        {"packing_not_applied",
+         fmt::format("{}: {} kept as attributes and not applied: the values are no integers and "
+                     "the file is not netCDF",
+                     dataset.place, names)});
+  }
+
+  /// What has been applied to the values is no longer an attribute of that name.
+  static Attributes attributes_of(const Dataset& dataset, const Hdf5Packing& packing) {
     Attributes attributes = hdf5_attributes(dataset.handle.id(), dataset.place);
-    std::erase_if(attributes, [](const auto& attribute) {
+    const bool scale = is_hdf5_scale(dataset.handle.id(), dataset.place);
+    std::erase_if(attributes, [&](const auto& attribute) {
       const std::string& name = attribute.first;
       return name == "channel_name" || is_one_of(name, kRateNames) || is_one_of(name, kStepNames) ||
              is_one_of(name, kStartNames) || is_one_of(name, kUnitNames) ||
-             is_packing_attribute(name) || name.starts_with("_Netcdf4");
+             is_missing_attribute(name) || name.starts_with("_Netcdf4") ||
+             (scale && (name == "CLASS" || name == "NAME"));
     });
+    for (auto& [name, value] : attributes) {
+      if (packing.applies && is_packing_attribute(name)) name.insert(0, "applied_");
+    }
     return attributes;
   }
 
   [[noreturn]] void fail_without_recording() const {
+    if (axis_fault_) throw InputError(*axis_fault_);
     if (!without_axis_.empty()) {
       throw no_sampling_rate(
           without_axis_.front(),
@@ -395,7 +558,11 @@ class ForeignReader {
   Hdf5Progress& progress_;
   Recordings result_;
   std::set<haddr_t> visited_;
-  std::map<haddr_t, std::optional<PointsAxis>> scales_;  ///< by address
+  std::map<haddr_t, std::optional<ScaleAxis>> scales_;  ///< by address
+  std::set<haddr_t> served_;  ///< scales that are axes or tell channels apart
+  std::vector<GroupRead> groups_;
+  bool netcdf_ = false;
+  std::optional<InputError> axis_fault_;  ///< the first unit of points that is not known
   std::vector<WithoutAxis> without_axis_;
   std::vector<std::string> tables_;  ///< places of datasets with named fields
 };

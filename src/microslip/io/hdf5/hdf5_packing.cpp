@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/hdf5/hdf5_packing.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
-#include <string_view>
+#include <utility>
 
 #include "microslip/io/hdf5/hdf5_handle.hpp"
+#include "microslip/io/hdf5/hdf5_scales.hpp"
 #include "microslip/io/hdf5/hdf5_values.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr std::array<std::string_view, 7> kPackingNames{"scale_factor",  "add_offset", "_FillValue",
-                                                        "missing_value", "valid_min",  "valid_max",
-                                                        "valid_range"};
+constexpr std::array kPackingNames{"scale_factor", "add_offset", "valid_min", "valid_max",
+                                   "valid_range"};
+constexpr std::array kMissingNames{"_FillValue", "missing_value"};
 
 /// Of the dataset itself. 0 is the usual one of HDF5 and what a sensor at rest gives.
 std::optional<double> fill_value_of(hid_t dataset) {
@@ -28,49 +32,119 @@ std::optional<double> fill_value_of(hid_t dataset) {
   return defined && value != 0.0 ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace
+H5T_class_t class_of(const Hdf5Handle& type) {
+  return type.valid() ? H5Tget_class(type.id()) : H5T_NO_CLASS;
+}
 
-Hdf5Packing hdf5_packing(hid_t dataset, const std::string& place) {
-  Hdf5Packing packing;
-  packing.scale_factor = hdf5_number(dataset, "scale_factor", place).value_or(1.0);
-  packing.add_offset = hdf5_number(dataset, "add_offset", place).value_or(0.0);
-  packing.least = hdf5_number(dataset, "valid_min", place);
-  packing.greatest = hdf5_number(dataset, "valid_max", place);
+bool is_float_attribute(hid_t dataset, const std::string& name) {
+  const Hdf5Handle attribute(H5Aopen(dataset, name.c_str(), H5P_DEFAULT), H5Aclose);
+  return attribute.valid() &&
+         class_of(Hdf5Handle(H5Aget_type(attribute.id()), H5Tclose)) == H5T_FLOAT;
+}
+
+/// As a dataset of single precision stores it; infinite where it cannot.
+double in_single_precision(double value) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  if (std::abs(value) > kLargest) {
+    return std::copysign(std::numeric_limits<double>::infinity(), value);
+  }
+  return static_cast<double>(static_cast<float>(value));
+}
+
+void read_range(hid_t dataset, const std::string& place, Hdf5Packing& packing) {
+  const auto mark = [&](const char* name) -> std::optional<Hdf5Mark> {
+    const std::optional<double> number = hdf5_number(dataset, name, place);
+    return number ? std::optional(Hdf5Mark{*number, name}) : std::nullopt;
+  };
+  packing.least = mark("valid_min");
+  packing.greatest = mark("valid_max");
   const std::vector<double> range = hdf5_numbers(dataset, "valid_range", place);
   if (range.size() == 2) {
-    packing.least = range[0];
-    packing.greatest = range[1];
+    packing.least = {range[0], "the least of valid_range"};
+    packing.greatest = {range[1], "the greatest of valid_range"};
   }
-  if (const auto fill = fill_value_of(dataset)) packing.missing.push_back(*fill);
-  for (const char* name : {"_FillValue", "missing_value"}) {
-    const std::vector<double> values = hdf5_numbers(dataset, name, place);
-    packing.missing.insert(packing.missing.end(), values.begin(), values.end());
+}
+
+/// Why a number stands for no value; empty where it does.
+std::string reason_of_missing(const Hdf5Packing& packing, double stored, double value) {
+  for (const Hdf5Mark& mark : packing.missing) {
+    if (stored == mark.number) return fmt::format("{} is the {}", stored, mark.name);
+  }
+  const double number = packing.range_of_values ? value : stored;
+  if (packing.least && number < packing.least->number) {
+    return fmt::format("{} is below {}, {}", number, packing.least->number, packing.least->name);
+  }
+  if (packing.greatest && number > packing.greatest->number) {
+    return fmt::format("{} is above {}, {}", number, packing.greatest->number,
+                       packing.greatest->name);
+  }
+  return {};
+}
+
+}  // namespace
+
+Hdf5Packing hdf5_packing(hid_t dataset, const std::string& place, bool netcdf) {
+  Hdf5Packing packing;
+  const bool integers = class_of(Hdf5Handle(H5Dget_type(dataset), H5Tclose)) == H5T_INTEGER;
+  packing.applies = integers || netcdf || H5Aexists(dataset, "DIMENSION_LIST") > 0 ||
+                    is_hdf5_scale(dataset, place);
+  if (packing.applies) {
+    const std::optional<double> factor = hdf5_number(dataset, "scale_factor", place);
+    const std::optional<double> offset = hdf5_number(dataset, "add_offset", place);
+    packing.scale_factor = factor.value_or(1.0);
+    packing.add_offset = offset.value_or(0.0);
+    read_range(dataset, place, packing);
+    const std::optional<Hdf5Mark>& bound = packing.least ? packing.least : packing.greatest;
+    const std::string name = bound && bound->name.starts_with("the ") ? "valid_range"
+                             : bound                                  ? bound->name
+                                                                      : "";
+    packing.range_of_values =
+        integers && (factor || offset) && bound && is_float_attribute(dataset, name);
+  }
+  if (const auto fill = fill_value_of(dataset)) {
+    packing.missing.push_back({*fill, "fill value of the dataset"});
+  }
+  for (const char* name : kMissingNames) {
+    for (const double value : hdf5_numbers(dataset, name, place)) {
+      packing.missing.push_back({value, name});
+    }
   }
   if (is_single_precision(dataset)) {  // an attribute may give the same number with more digits
-    for (double& value : packing.missing) value = static_cast<float>(value);
+    for (Hdf5Mark& mark : packing.missing) mark.number = in_single_precision(mark.number);
+    for (std::optional<Hdf5Mark>* bound : {&packing.least, &packing.greatest}) {
+      if (*bound) (*bound)->number = in_single_precision((*bound)->number);
+    }
   }
   return packing;
 }
 
-void unpack(const Hdf5Packing& packing, std::vector<double>& values) {
-  const auto is_missing = [&](double stored) {
-    return std::ranges::find(packing.missing, stored) != packing.missing.end() ||
-           (packing.least && stored < *packing.least) ||
-           (packing.greatest && stored > *packing.greatest);
-  };
+std::string unpack(const Hdf5Packing& packing, std::vector<double>& values) {
   const bool plain = packing.scale_factor == 1.0 && packing.add_offset == 0.0;
-  if (plain && packing.missing.empty() && !packing.least && !packing.greatest) return;
+  std::string first;
+  if (plain && packing.missing.empty() && !packing.least && !packing.greatest) return first;
   for (double& value : values) {
-    if (is_missing(value)) {
-      value = std::numeric_limits<double>::quiet_NaN();
-    } else if (!plain) {
-      value = value * packing.scale_factor + packing.add_offset;
-    }
+    const double unpacked = plain ? value : value * packing.scale_factor + packing.add_offset;
+    std::string reason = reason_of_missing(packing, value, unpacked);
+    value = reason.empty() ? unpacked : std::numeric_limits<double>::quiet_NaN();
+    if (first.empty()) first = std::move(reason);
   }
+  return first;
 }
 
 bool is_packing_attribute(const std::string& name) {
   return std::ranges::find(kPackingNames, name) != kPackingNames.end();
+}
+
+bool is_missing_attribute(const std::string& name) {
+  return std::ranges::find(kMissingNames, name) != kMissingNames.end();
+}
+
+std::string packing_attributes(hid_t dataset) {
+  std::string names;
+  for (const char* name : kPackingNames) {
+    if (H5Aexists(dataset, name) > 0) names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return names;
 }
 
 }  // namespace microslip

@@ -123,21 +123,26 @@ std::vector<Array> arrays_of(MatValue& value, std::size_t element) {
   return arrays;
 }
 
-template <class Names>
-bool may_be_axis(const Array& array, const Names& names) {
-  return is_one_of(array.name, names) && array.value->is_vector() &&
-         array.value->imaginary.empty() && may_be_points(array.name, array.value->real);
+bool may_be_axis(const Array& array, std::string_view name, const Dimension& usual) {
+  return array.name == name && array.value->is_vector() && array.value->imaginary.empty() &&
+         may_be_unit_of_points(array.unit, usual) && may_be_points(array.name, array.value->real);
 }
 
-/// The array that take_axis() will take; the number of arrays where there is none.
-std::size_t axis_index(const std::vector<Array>& arrays) {
-  const auto find = [&](const auto& names) {
+/// The array of the points, of what they usually are; the number of arrays where there is none.
+std::pair<std::size_t, Dimension> find_points(const std::vector<Array>& arrays) {
+  std::size_t index = arrays.size();
+  const auto find = [&](std::string_view name, const Dimension& usual) {
     const auto found =
-        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
-    return static_cast<std::size_t>(found - arrays.begin());
+        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, name, usual); });
+    index = static_cast<std::size_t>(found - arrays.begin());
+    return index < arrays.size();
   };
-  const std::size_t time = find(kTimeNames);
-  return time < arrays.size() ? time : find(kFrequencyNames);
+  if (std::ranges::any_of(kTimeNames, [&](const char* name) { return find(name, kTime); })) {
+    return {index, kTime};
+  }
+  (void)std::ranges::any_of(kFrequencyNames,
+                            [&](const char* name) { return find(name, kFrequency); });
+  return {index, kFrequency};
 }
 
 std::size_t channels_of(const MatValue& value) {
@@ -146,18 +151,14 @@ std::size_t channels_of(const MatValue& value) {
 
 /// Takes the points off the arrays, for the scope.
 void take_axis(std::vector<Array>& arrays, Scope& scope) {
-  const auto take = [&](const auto& names, const Dimension& usual) {
-    const auto found =
-        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, names); });
-    if (scope.axis || found == arrays.end()) return;
-    scope.axis_name = found->name;
-    scope.axis = axis_of_points(
-        {found->value->real, found->unit, usual, fmt::format("{}: {}", scope.place, found->name)},
-        scope.sampling.step);
-    arrays.erase(found);
-  };
-  take(kTimeNames, kTime);
-  take(kFrequencyNames, kFrequency);
+  const auto [index, usual] = find_points(arrays);
+  if (index == arrays.size()) return;
+  const Array& points = arrays[index];
+  scope.axis_name = points.name;
+  scope.axis = axis_of_points(
+      {points.value->real, points.unit, usual, fmt::format("{}: {}", scope.place, points.name)},
+      scope.sampling.step);
+  arrays.erase(arrays.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
 class Collector {
@@ -207,7 +208,7 @@ class Collector {
  private:
   void give_units(MatValue& value, std::size_t element, std::vector<Array>& arrays,
                   const std::string& place) {
-    const std::size_t axis = axis_index(arrays);
+    const std::size_t axis = find_points(arrays).first;
     std::vector<UnitOfArray> units;
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       const std::size_t channels = i == axis ? 0 : channels_of(*arrays[i].value);

@@ -40,12 +40,9 @@ bool are_singles(const std::vector<double>& points) {
   });
 }
 
-/// CF Conventions, section 4.4: a time is counted from a date.
 Unit unit_of_axis(const PointsInFile& file) {
-  const std::string_view text = trimmed(
-      std::string_view(file.unit).substr(0, std::min(file.unit.find(" since "), file.unit.size())));
-  if (text.empty()) return Unit{.dimension = file.usual};
-  if (const std::optional<Unit> found = find_unit(text)) return *found;
+  if (trimmed(file.unit).empty()) return Unit{.dimension = file.usual};
+  if (const std::optional<Unit> found = find_unit_of_points(file.unit)) return *found;
   throw InputError(file.place + ": unit", in_quotes(file.unit), "is not known",
                    fmt::format("Units that fit: {}.", usual_units(file.usual)));
 }
@@ -72,6 +69,24 @@ Axis even_axis(const Sampling& sampling) {
   axis.start = sampling.start;
   axis.step = sampling.step.value();
   return axis;
+}
+
+std::optional<Unit> find_unit_of_points(std::string_view text) {
+  constexpr std::array<std::string_view, 3> kDays{"DAYS", "DAY", "D"};
+  constexpr double kSecondsOfDay = 86400.0;
+  const std::string_view unit = trimmed(text.substr(0, text.find(" since ")));
+  if (std::ranges::find(kDays, in_capitals(unit)) == kDays.end()) return find_unit(unit);
+  return Unit{.numerator = kSecondsOfDay, .dimension = kTime};
+}
+
+bool may_be_unit_of_points(std::string_view text, const Dimension& usual) {
+  const std::optional<Unit> unit = find_unit_of_points(text);
+  if (!unit || trimmed(text).empty() || unit->dimension == usual) return true;
+  return usual == kFrequency && unit->dimension == kAngularFrequency;
+}
+
+std::string points_of_unknown_unit(std::string_view name, std::string_view unit) {
+  return fmt::format("{} in {}, an unknown unit", in_quotes(name), in_quotes(unit));
 }
 
 PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step) {

@@ -57,6 +57,13 @@ struct PointsAxis {
 /// 1/rate. @throws InputError  naming `place`, where the rate is not above 0 and finite.
 [[nodiscard]] double step_of_rate(double rate, const std::string& place);
 
+/// The unit of the points of an axis: as find_unit(), and days; what counts from a date, "seconds
+/// since DATE" (CF Conventions 1.10, section 4.4), counts as well. Nothing where it is not known.
+[[nodiscard]] std::optional<Unit> find_unit_of_points(std::string_view text);
+
+/// Whether points of the usual dimension may have this unit: not where it is of another one.
+[[nodiscard]] bool may_be_unit_of_points(std::string_view text, const Dimension& usual);
+
 /// How a file gives the points of an axis.
 struct PointsInFile {
   std::vector<double> points;  ///< as in the file
@@ -68,8 +75,8 @@ struct PointsInFile {
 /// Points that rise in even steps but for rounding become start and step, others stay as they are.
 /// Even means: off by at most 1e-6 steps; where all are numbers of single precision, by as much as
 /// their rounding explains (even_axis.hpp); where the step of times is stated elsewhere, by at most
-/// 0.01 of it. "seconds since DATE" counts as seconds.
-/// @throws InputError  where the unit is not known.
+/// 0.01 of it.
+/// @throws InputError  where find_unit_of_points() does not know the unit.
 [[nodiscard]] PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step);
 
 /// Brings values to SI by the unit that the file names. An unknown one is kept as the attribute
@@ -89,6 +96,9 @@ void check_read(const Recording& recording, const std::string& place);
 /// check_read() after channels without a value at some point have been left out, with a warning
 /// each.
 void check_foreign(Recording& recording, const std::string& place, std::vector<Warning>& warnings);
+
+/// For WithoutAxis::found: points in a unit that is not known.
+[[nodiscard]] std::string points_of_unknown_unit(std::string_view name, std::string_view unit);
 
 /// A place that was left out because nothing tells over what its values are.
 struct WithoutAxis {

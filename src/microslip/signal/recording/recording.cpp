@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "microslip/base/error.hpp"
+#include "microslip/signal/recording/missing_values.hpp"
 #include "microslip/signal/recording/quantity_name.hpp"
 
 namespace microslip {
@@ -58,27 +59,41 @@ bool is_whole(const Channel& channel) {
   return count_not_finite(channel.values) == 0 && count_not_finite(channel.imaginary) == 0;
 }
 
+/// Why the values of a channel are missing, as far as its reader has said so.
+std::string missing_because(const Attributes& attributes) {
+  const auto found =
+      std::ranges::find(attributes, kMissingAttribute, &Attributes::value_type::first);
+  return found == attributes.end() ? std::string{} : found->second;
+}
+
 std::string reason_of(const Channel& channel) {
   const std::vector<double>& values =
       count_not_finite(channel.values) > 0 ? channel.values : channel.imaginary;
   const auto bad = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });
-  return fmt::format("{} of its {} values are missing or not finite, the first at point {}",
+  const std::string because = missing_because(channel.attributes);
+  return fmt::format("{} of its {} values are missing or not finite, the first at point {}{}{}",
                      count_not_finite(values), values.size(),
-                     std::distance(values.begin(), bad) + 1);
+                     std::distance(values.begin(), bad) + 1, because.empty() ? "" : ": ", because);
 }
 
-void check_finite(const Recording& recording, std::string_view name,
-                  std::span<const double> values) {
+void check_finite(const Recording& recording, std::string_view name, std::span<const double> values,
+                  const Attributes& attributes = {}) {
   const auto bad = std::ranges::find_if_not(values, [](double v) { return std::isfinite(v); });
   if (bad == values.end()) return;
-  throw InputError(
-      fmt::format("{}, point {}", name_of(recording, name), std::distance(values.begin(), bad) + 1),
-      *bad,
-      count_not_finite(values) == 1
-          ? "must be finite"
-          : fmt::format("must be finite; {} of {} values are missing or not finite",
-                        count_not_finite(values), values.size()),
-      "Cut the record where it is whole.");
+  const std::string place =
+      fmt::format("{}, point {}", name_of(recording, name), std::distance(values.begin(), bad) + 1);
+  const std::string rule = count_not_finite(values) == 1
+                               ? "must be finite"
+                               : fmt::format(
+                                     "must be finite; {} of {} values are missing or not "
+                                     "finite",
+                                     count_not_finite(values), values.size());
+  const std::string because = missing_because(attributes);
+  if (!because.empty()) {
+    throw InputError(place, InputState{fmt::format("without value: {}", because)}, rule,
+                     "If it is a value, correct what the file states of it.");
+  }
+  throw InputError(place, *bad, rule, "Cut the record where it is whole.");
 }
 
 void check_axis(const Recording& recording) {
@@ -108,8 +123,8 @@ void check_channel(const Recording& recording, const Channel& channel, std::size
                      fmt::format("{}", channel.values.size()),
                      fmt::format("must be {}, that of the others", points));
   }
-  check_finite(recording, channel.name, channel.values);
-  check_finite(recording, channel.name, channel.imaginary);
+  check_finite(recording, channel.name, channel.values, channel.attributes);
+  check_finite(recording, channel.name, channel.imaginary, channel.attributes);
 }
 
 }  // namespace
