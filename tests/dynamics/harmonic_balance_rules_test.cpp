@@ -99,8 +99,23 @@ TEST(JointedStructure, TakesNoMoreSpringOutThanTheModesHold) {
     return message_or("", [&] { JointedStructure(linear, {joint}, {{"mass"}}); });
   };
   EXPECT_EQ(build(4.0), "");
-  expect_message(build(4.1), "spring_in_modes of joint 'a' = 4.1; must be in the modes");
+  expect_message(build(4.1), "spring_in_modes of joint 'a' = 4.1 N/m; must be in the modes");
   expect_message(build(4.1), "they contain 4 N/m at most");
+}
+
+// A rigid body has no spring, and a thousandth is what four digits of a frequency leave open.
+TEST(JointedStructure, TakesNoSpringOutOfRigidBodies) {
+  const auto build = [&](double first, double spring) {
+    const StructuralJoint joint{.name = "a",
+                                .joint = testing::iwan_joint(),
+                                .shape = {first, 1.0},
+                                .spring_in_modes = spring};
+    const ModalModel linear({{0.0, 0.0}, {2.0, 0.01}}, {{"mass", {1.0, 1.0}}});
+    return message_or("", [&] { JointedStructure(linear, {joint}, {{"mass"}}); });
+  };
+  EXPECT_EQ(build(0.0, 4.003), "");
+  expect_message(build(0.0, 4.1), "they contain 4 N/m at most");
+  expect_message(build(0.5, 1.0), "they contain 0 N/m at most");
 }
 
 // Two joints at the mass of one mode of 2 rad/s: 3 N/m of each are 6 of the 4 N/m of the mode.
@@ -115,11 +130,11 @@ TEST(JointedStructure, TakesNoMoreSpringsOutThanTheModesHoldTogether) {
     return message_or("", [&] { JointedStructure(linear, {joint, other}, {{"mass"}}); });
   };
   EXPECT_EQ(build(1.0), "");
-  expect_message(build(3.0), "spring_in_modes of joints 'a', 'b' = 3, 3; must be in the modes");
+  expect_message(build(3.0), "spring_in_modes of joints 'a', 'b' = 3, 3 N/m; must be in the modes");
   expect_message(build(3.0), "they contain 66.6667 % of these stiffnesses at most");
   // The softer one alone is too stiff where its shape is large.
   other.shape = {2.0};
-  expect_message(build(2.0), "spring_in_modes of joint 'b' = 2; must be in the modes");
+  expect_message(build(2.0), "spring_in_modes of joint 'b' = 2 N/m; must be in the modes");
   expect_message(build(2.0), "they contain 1 N/m at most");
 }
 

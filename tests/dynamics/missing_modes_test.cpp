@@ -214,6 +214,64 @@ TEST(MissingModes, LeaveAStructureWithoutTheSprings) {
   }
 }
 
+/// A joint to the ground at the first of two masses, all that holds them, by its spring of 2000 N/m
+/// that both modes contain; the driven point is the second mass.
+JointedStructure held_by_joint(const std::vector<Mode>& modes, const std::vector<double>& first,
+                               const std::vector<double>& second) {
+  const double k = 2000.0;
+  return {ModalModel(modes, {{"a", second}}),
+          {{.name = "j", .joint = Joint(k, uniform()), .shape = first, .spring_in_modes = k}},
+          {{"a"}}};
+}
+
+std::string refusal_of_estimate(const JointedStructure& structure) {
+  return message_or("none", [&] {
+    return with_further_modes(structure, likely_missing_modes(structure)).linear().size();
+  });
+}
+
+// The modes have the whole 1/k: nothing is left. The figures are those of masses of 1 and 1 kg, and
+// of 1 and 2 kg, with a spring of 5000 and 10 000 N/m between them, as a program printed them.
+TEST(MissingModes, OfAJointThatHoldsAllAreNone) {
+  const JointedStructure equal = held_by_joint(
+      {{2.0 * kPi * 4.7772484057621565}, {2.0 * kPi * 16.76727314135057}},
+      {0.6339889056055382, 0.7733421413379022}, {0.7733421413379022, -0.6339889056055382});
+  const JointedStructure heavy = held_by_joint(
+      {{2.0 * kPi * 3.9312658884655725}, {2.0 * kPi * 20.375479846966122}},
+      {0.5274433735638667, 0.8495901880810344}, {0.6007509832216537, -0.37295878613891953});
+  for (const JointedStructure& structure : {equal, heavy}) {
+    EXPECT_EQ(refusal_of_estimate(structure), "none");
+    EXPECT_EQ(missing_compliance(structure)[0].missing, 0.0);
+  }
+}
+
+// Of four digits the modes have up to 1.003/k: beside a stiff spring between the masses, so that
+// the slowest mode is far below the other, and the check of the springs lets it pass.
+TEST(MissingModes, OfFewDigitsAreNoFault) {
+  const auto rounded = [](double value) {
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3.0);
+    return std::round(value / unit) * unit;
+  };
+  double largest = 0.0;
+  for (int i = 1; i <= 20; ++i) {
+    const double m = 0.1 * i;  // of the second mass, kg; the first has 1 kg
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(
+        Eigen::Matrix2d{{2000.0 + 1e7, -1e7 / std::sqrt(m)}, {-1e7 / std::sqrt(m), 1e7 / m}});
+    std::vector<Mode> modes;
+    std::vector<double> first;
+    std::vector<double> second;
+    for (Eigen::Index n = 0; n < 2; ++n) {
+      modes.push_back({2.0 * kPi * rounded(std::sqrt(solver.eigenvalues()(n)) / (2.0 * kPi))});
+      first.push_back(rounded(solver.eigenvectors()(0, n)));
+      second.push_back(rounded(solver.eigenvectors()(1, n) / std::sqrt(m)));
+    }
+    const JointedStructure structure = held_by_joint(modes, first, second);
+    EXPECT_EQ(refusal_of_estimate(structure), "none") << m;
+    largest = std::max(largest, 2000.0 * missing_compliance(structure)[0].in_modes - 1.0);
+  }
+  EXPECT_GT(largest, 1e-4);
+}
+
 // The estimated change is the true one, to the factor of the estimate.
 TEST(MissingModes, AreJudgedOnACurve) {
   const SteadyVibration truth = peak_of(bar(kMany));
@@ -323,6 +381,44 @@ TEST(ResidualFlexibility, IsThatOfTheStructureOfTheModes) {
   EXPECT_EQ(refusal(1.0 / k - held), "none");
   expect_message(refusal(1.1 / k - held), "compliance of the residual of joint 'end' = ");
   expect_message(refusal(1.1 / k - held), "of the spring of 1e+07 N/m that they contain");
+}
+
+// Two joints at one mass of 1 kg and ω = 2 rad/s, each with half of the spring of 4 N/m: their
+// compliances are 1/4 m/N and coupled. What is within 1/k of each is too much for both, but in the
+// direction in which the mass does not move.
+TEST(ResidualFlexibility, IsWithinTheSpringsTogether) {
+  StructuralJoint first{
+      .name = "a", .joint = Joint(2.0, uniform()), .shape = {1.0}, .spring_in_modes = 2.0};
+  StructuralJoint second = first;
+  second.name = "b";
+  const JointedStructure structure(ModalModel({{2.0}}, {{"mass", {1.0}}}), {first, second},
+                                   {{"mass"}});
+  const auto refusal = [&](double own, double shared) {
+    return message_or("none", [&] {
+      const ResidualFlexibility residual{{}, {"a", "b"}, {own, shared, shared, own}};
+      return with_further_modes(structure, static_modes(structure, residual)).linear().size();
+    });
+  };
+  EXPECT_EQ(refusal(0.2, -0.2), "none");
+  expect_message(refusal(0.2, 0.2),
+                 "compliance of the residual of joints 'a', 'b' = 1.8 times 1/k");
+  expect_message(refusal(0.3, -0.3), "compliance of the residual of joint 'a' = 0.3 m/N; must be");
+}
+
+// The modes have 1.0006/k by their last digit: a small residual is not to blame.
+TEST(ResidualFlexibility, IsThatOfModesOfFourDigits) {
+  const StructuralJoint joint{
+      .name = "a", .joint = Joint(4.0, uniform()), .shape = {1.0003}, .spring_in_modes = 4.0};
+  const JointedStructure structure(ModalModel({{2.0}}, {{"mass", {1.0}}}), {joint}, {{"mass"}});
+  const auto refusal = [&](double residual) {
+    return message_or("none", [&] {
+      return with_further_modes(structure, static_modes(structure, {{}, {"a"}, {residual}}))
+          .linear()
+          .size();
+    });
+  };
+  EXPECT_EQ(refusal(5e-5), "none");
+  expect_message(refusal(5e-3), "compliance of the residual of joint 'a' = 0.005 m/N");
 }
 
 TEST(ResidualFlexibility, NamesWhatIsWrong) {

@@ -9,9 +9,11 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/dynamics/structure/residual_flexibility.hpp"
+#include "microslip/dynamics/structure/spring_shares.hpp"
 #include "microslip/structure/static_compliance.hpp"
 
 namespace microslip {
@@ -25,6 +27,8 @@ constexpr double kLargeResidual =
 constexpr double kFirst = 0.75;     // of i′: between bars fixed at one end, ½, and free ones, 1
 constexpr double kFlattest = 0.75;  // p: plates have 1, beams 2
 constexpr double kSteepest = 3.0;
+/// Of the trend: springs that are all that holds a joint leave nothing but rounding.
+constexpr double kNothingLeft = 1e-9;
 constexpr double kConvergent = 0.5;  // of 2p − s − 1: at 0 no number of modes would be enough
 
 double overlap_of(std::span<const double> a, std::span<const double> b) {
@@ -87,34 +91,15 @@ double beyond(std::span<const Mode> modes, std::span<const std::size_t> elastic,
          std::pow(1.0 + 0.5 / end, 1.0 + s - 2.0 * p) / (2.0 * p - s - 1.0);
 }
 
-/// Σ ψ_i ψ_iᵀ/ω_i² of the elastic modes, across each two joints, m/N.
-Eigen::MatrixXd compliance_between_joints(const JointedStructure& structure) {
-  const std::span<const Mode> modes = structure.linear().modes();
-  const auto size = static_cast<Index>(structure.joints().size());
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(size, static_cast<Index>(modes.size()));
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (!(modes[i].angular_frequency > 0.0)) continue;
-    for (Index j = 0; j < size; ++j) {
-      moved(j, static_cast<Index>(i)) =
-          structure.joints()[static_cast<std::size_t>(j)].shape[i] / modes[i].angular_frequency;
-    }
-  }
-  return moved * moved.transpose();
-}
-
-/// (R⁻¹ + B⁻¹)⁻¹ of R = diag(trend), with W = diag(√(kR)) and A = I − K^½CK^½, without a negative
-/// eigenvalue but by rounding: R^½(I − W(A + W²)⁻¹W)R^½.
+/// F of (R⁻¹ + B⁻¹)⁻¹ = FFᵀ of R = diag(trend), so that rounding makes it no less than 0: with
+/// W = diag(√(kR)) and A = I − K^½CK^½, F = R^½ V diag(√g) of the eigenvectors V and eigenvalues
+/// g, from 0 to 1, of I − W(A + W²)⁻¹W, without those that are 0.
 Eigen::MatrixXd beside_springs(const JointedStructure& structure, const Eigen::VectorXd& trend) {
-  const auto size = static_cast<Index>(structure.joints().size());
-  Eigen::VectorXd root(size);  // √k
-  for (Index j = 0; j < size; ++j) {
-    root(j) = std::sqrt(structure.joints()[static_cast<std::size_t>(j)].spring_in_modes);
-  }
-  const Eigen::VectorXd scaled = root.cwiseProduct(trend.cwiseSqrt());
+  const Eigen::MatrixXd shares = spring_shares(structure.linear().modes(), structure.joints());
+  const Index size = shares.rows();
+  const Eigen::VectorXd scaled = spring_roots(structure.joints()).cwiseProduct(trend.cwiseSqrt());
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rest(
-      (Eigen::MatrixXd::Identity(size, size) -
-       root.asDiagonal() * compliance_between_joints(structure) * root.asDiagonal())
-          .eval());
+      (Eigen::MatrixXd::Identity(size, size) - shares).eval());
   const Eigen::MatrixXd sum = rest.eigenvectors() * rest.eigenvalues().cwiseMax(0.0).asDiagonal() *
                               rest.eigenvectors().transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
@@ -124,14 +109,17 @@ Eigen::MatrixXd beside_springs(const JointedStructure& structure, const Eigen::V
                        std::max(1.0, solver.eigenvalues().maxCoeff());
   const Eigen::VectorXd inverse = solver.eigenvalues().unaryExpr(
       [&](double value) { return value > least ? 1.0 / value : 0.0; });
-  const Eigen::MatrixXd moved =
-      scaled.cwiseProduct(trend.cwiseSqrt()).asDiagonal() * solver.eigenvectors();
-  Eigen::MatrixXd residual = -moved * inverse.asDiagonal() * moved.transpose();
-  residual.diagonal() += trend;
-  return residual;
+  const Eigen::MatrixXd moved = scaled.asDiagonal() * solver.eigenvectors();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> left(
+      (Eigen::MatrixXd::Identity(size, size) - moved * inverse.asDiagonal() * moved.transpose())
+          .eval());
+  const Index held = (left.eigenvalues().array() < kNothingLeft).count();  // the first
+  return trend.cwiseSqrt().asDiagonal() * left.eigenvectors().rightCols(size - held) *
+         left.eigenvalues().tail(size - held).cwiseSqrt().asDiagonal();
 }
 
-/// The compliance of likely_missing_modes() across the joints, m/N; 0 × 0 without them.
+/// F, across the joints, of the compliance FFᵀ of likely_missing_modes(), √(m/N); 0 × 0 without
+/// them.
 Eigen::MatrixXd likely_residual(const JointedStructure& structure) {
   const std::span<const Mode> modes = structure.linear().modes();
   const std::vector<std::size_t> elastic = elastic_modes(modes);
@@ -157,21 +145,25 @@ Warning not_estimated(const std::string& why, const std::string& remedy) {
 }  // namespace
 
 std::vector<FurtherMode> likely_missing_modes(const JointedStructure& structure) {
-  const Eigen::MatrixXd compliance = likely_residual(structure);
-  if (compliance.size() == 0) return {};
-  ResidualFlexibility residual{
-      .compliance = {compliance.reshaped().begin(), compliance.reshaped().end()}};
-  for (const StructuralJoint& joint : structure.joints()) residual.joints.push_back(joint.name);
-  return static_modes(structure, residual);
+  const Eigen::MatrixXd factor = likely_residual(structure);
+  std::vector<FurtherMode> modes;
+  for (Index m = 0; m < factor.cols(); ++m) {
+    FurtherMode mode = static_mode_at_rest(structure);
+    const Eigen::VectorXd shape = mode.mode.angular_frequency * factor.col(m);
+    mode.joints.assign(shape.begin(), shape.end());
+    modes.push_back(std::move(mode));
+  }
+  return modes;
 }
 
 std::vector<MissingCompliance> missing_compliance(const JointedStructure& structure) {
-  const Eigen::MatrixXd residual = likely_residual(structure);
+  const Eigen::MatrixXd factor = likely_residual(structure);
   std::vector<MissingCompliance> found;
-  for (Index j = 0; j < residual.cols(); ++j) {
+  for (Index j = 0; j < factor.rows(); ++j) {
     const StructuralJoint& joint = structure.joints()[static_cast<std::size_t>(j)];
     found.push_back({joint.name, joint.joint.stiffness(),
-                     static_compliance(structure.linear().modes(), joint.shape), residual(j, j)});
+                     static_compliance(structure.linear().modes(), joint.shape),
+                     factor.row(j).squaredNorm()});
   }
   return found;
 }

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/structure/spring_shares.hpp"
 
 namespace microslip {
 namespace {
@@ -97,27 +100,9 @@ Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix) {
       .eigenvalues();
 }
 
-/// K^½ C K^½ of the springs that the modes contain, k, and the compliance C = Σ ψ_i ψ_iᵀ/ω_i²
-/// across the joints: k of a joint over the largest that the modes can contain on the diagonal.
-Eigen::MatrixXd shares_in_modes(const std::vector<StructuralJoint>& joints,
-                                const ModalModel& linear) {
-  const auto count = static_cast<Index>(joints.size());
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(count, static_cast<Index>(linear.size()));
-  for (Index i = 0; i < moved.cols(); ++i) {
-    const double natural = linear.modes()[static_cast<std::size_t>(i)].angular_frequency;
-    for (Index j = 0; j < count; ++j) {
-      const StructuralJoint& joint = joints[static_cast<std::size_t>(j)];
-      const double over = joint.shape[static_cast<std::size_t>(i)];
-      if (over == 0.0 || joint.spring_in_modes == 0.0) continue;
-      moved(j, i) = std::sqrt(joint.spring_in_modes) * over / natural;  // may be infinite
-    }
-  }
-  return moved * moved.transpose();
-}
-
 /// @throws InputError  where each spring alone could be in the modes, as they are not together.
-[[noreturn]] void refuse_springs_together(const std::vector<StructuralJoint>& joints,
-                                          const ModalModel& linear) {
+/// @param most  the largest eigenvalue of spring_shares().
+[[noreturn]] void refuse_springs_together(const std::vector<StructuralJoint>& joints, double most) {
   std::string names;
   std::string values;
   for (const StructuralJoint& joint : joints) {
@@ -125,11 +110,30 @@ Eigen::MatrixXd shares_in_modes(const std::vector<StructuralJoint>& joints,
     names += fmt::format("{}'{}'", names.empty() ? "" : ", ", joint.name);
     values += fmt::format("{}{:g}", values.empty() ? "" : ", ", joint.spring_in_modes);
   }
-  throw InputError("spring_in_modes of joints " + names, values,
+  throw InputError("spring_in_modes of joints " + names, values + " N/m",
                    fmt::format("must be in the modes together: without all of them the structure "
                                "is unstable; they contain {:.6g} % of these stiffnesses at most",
-                               100.0 / eigenvalues(shares_in_modes(joints, linear)).maxCoeff()),
+                               100.0 / most),
                    "Give the stiffnesses of the joints that the modes were computed with.");
+}
+
+/// @param most  that the modes can contain of it, N/m.
+[[noreturn]] void refuse_spring(const StructuralJoint& joint, double most) {
+  throw InputError(member(joint, "spring_in_modes"), fmt::format("{:g} N/m", joint.spring_in_modes),
+                   fmt::format("must be in the modes: without it the structure is unstable; they "
+                               "contain {:.6g} N/m at most",
+                               most),
+                   "Give the stiffness of the joint that the modes were computed with.");
+}
+
+/// The largest k ψ_i² of the modes without frequency, which contain no spring, rad²/s².
+double held_without_stiffness(const StructuralJoint& joint, std::span<const Mode> modes) {
+  double most = 0.0;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i].angular_frequency > 0.0) continue;
+    most = std::max(most, joint.spring_in_modes * joint.shape[i] * joint.shape[i]);
+  }
+  return most;
 }
 
 /// The stiffness without the springs of the joints must not be negative.
@@ -138,15 +142,18 @@ void check_springs(const std::vector<StructuralJoint>& joints, const ModalModel&
   const Eigen::VectorXd squares =
       eigenvalues(stiffness_matrix(linear, joints, [](const auto&) { return 0.0; }));
   if (squares.minCoeff() >= -kRounding * squares.cwiseAbs().maxCoeff()) return;
-  const Eigen::VectorXd shares = shares_in_modes(joints, linear).diagonal();
+  const auto held = [&](const StructuralJoint& joint) {
+    return held_without_stiffness(joint, linear.modes());
+  };
+  const StructuralJoint& loosest = *std::ranges::max_element(joints, {}, held);
+  if (held(loosest) > 0.0) refuse_spring(loosest, 0.0);
+  const Eigen::MatrixXd shares = spring_shares(linear.modes(), joints);
+  const double together = eigenvalues(shares).maxCoeff();
+  if (together <= 1.0 + kSpringTolerance) return;
   Index most = 0;
-  if (shares.maxCoeff(&most) <= 1.0) refuse_springs_together(joints, linear);
+  if (shares.diagonal().maxCoeff(&most) <= 1.0) refuse_springs_together(joints, together);
   const StructuralJoint& stiffest = joints[static_cast<std::size_t>(most)];
-  throw InputError(member(stiffest, "spring_in_modes"), stiffest.spring_in_modes,
-                   fmt::format("must be in the modes: without it the structure is unstable; they "
-                               "contain {:.6g} N/m at most",
-                               stiffest.spring_in_modes / shares(most)),
-                   "Give the stiffness of the joint that the modes were computed with.");
+  refuse_spring(stiffest, stiffest.spring_in_modes / shares(most, most));
 }
 
 void check_excitations(const std::vector<Excitation>& excitations, const ModalModel& linear) {

@@ -32,7 +32,8 @@ struct StructuralJoint {
   /// Stiffness k_s between its ends that the modes were computed with, N/m; ≥ 0, e.g. k for the
   /// modes of the stuck structure. It is subtracted: k_s ψ_i Σ_r ψ_r q_r is added to the force on
   /// mode i. On a shape r φ_i′(L) this is the torsional spring k_θ = k_s r². Without the springs of
-  /// all joints diag(ω_i²) − Σ k_s ψψᵀ must not have a negative eigenvalue.
+  /// all joints diag(ω_i²) − Σ k_s ψψᵀ must not have a negative eigenvalue, but within 1e-6 of the
+  /// largest, or one that springs softer by a thousandth do not have.
   double spring_in_modes = 0.0;
 
   /// Compliance c in series with the joint, m/N; ≥ 0: L/(EA) for a beam.

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/dynamics/structure/spring_shares.hpp"
 #include "microslip/structure/static_compliance.hpp"
 
 namespace microslip {
@@ -18,7 +21,9 @@ namespace {
 using Eigen::Index;
 
 constexpr double kAboveAllModes = 10.0;
-constexpr double kRounded = 1e-6;   // of √(R_pp R_qq): a table may have seven digits
+constexpr double kRounded = 1e-6;  // of √(R_pp R_qq): a table may have seven digits
+constexpr std::string_view kOfTheModes =
+    "Take the residual of the structure with the springs across the joints, as its modes were.";
 constexpr double kNothing = 1e-12;  // of a λ, of which the largest is between 1 and their number
 
 const Mode& highest_mode(const JointedStructure& structure) {
@@ -83,23 +88,60 @@ Eigen::MatrixXd checked_matrix(const ResidualFlexibility& residual) {
   return 0.5 * (matrix + matrix.transpose());
 }
 
-/// A spring of k that the modes contain yields 1/k at most, whatever is beside it.
+double largest_eigenvalue(const Eigen::MatrixXd& matrix) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
+}
+
+[[noreturn]] void refuse_beside_spring(const JointedStructure& structure,
+                                       const StructuralJoint& joint, double given) {
+  const double most = 1.0 / joint.spring_in_modes;
+  const double in_modes = static_compliance(structure.linear().modes(), joint.shape);
+  throw InputError(
+      fmt::format("compliance of the residual of joint '{}'", joint.name),
+      fmt::format("{:g} m/N", given),
+      fmt::format("must be at most {:.4g} m/N: with the {:.4g} m/N of the modes not above "
+                  "the 1/k of the spring of {:g} N/m that they contain",
+                  std::max(most - in_modes, 0.0), in_modes, joint.spring_in_modes),
+      std::string(kOfTheModes));
+}
+
+/// Springs that the modes contain, K = diag(k), yield K⁻¹ at most, whatever is beside them.
+/// @param residual  of the joints.
 void check_beside_springs(const JointedStructure& structure, const std::vector<std::size_t>& joints,
-                          const Eigen::VectorXd& residual) {
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const StructuralJoint& joint = structure.joints()[joints[i]];
-    if (joint.spring_in_modes == 0.0) continue;
-    const double most = 1.0 / joint.spring_in_modes;
-    const double in_modes = static_compliance(structure.linear().modes(), joint.shape);
-    const double given = residual(static_cast<Index>(i));
-    if (in_modes + given <= (1.0 + kRounded) * most) continue;
-    throw InputError(
-        fmt::format("compliance of the residual of joint '{}'", joint.name), given,
-        fmt::format("must be at most {:.4g} m/N: with the {:.4g} m/N of the modes not above "
-                    "the 1/k of the spring of {:g} N/m that they contain",
-                    std::max(most - in_modes, 0.0), in_modes, joint.spring_in_modes),
-        "Take the residual of the structure with the spring across the joint, as its modes were.");
+                          const Eigen::MatrixXd& residual) {
+  const Eigen::VectorXd roots = spring_roots(structure.joints());
+  const Eigen::MatrixXd shares = spring_shares(structure.linear().modes(), structure.joints());
+  Eigen::MatrixXd all = shares;
+  for (std::size_t a = 0; a < joints.size(); ++a) {
+    for (std::size_t b = 0; b < joints.size(); ++b) {
+      const auto row = static_cast<Index>(joints[a]);
+      const auto column = static_cast<Index>(joints[b]);
+      all(row, column) +=
+          roots(row) * roots(column) * residual(static_cast<Index>(a), static_cast<Index>(b));
+    }
   }
+  if (joints.empty()) return;
+  // Modes with an error may have more by themselves.
+  const double allowed =
+      std::max(1.0 + kSpringTolerance, (1.0 + kRounded) * largest_eigenvalue(shares));
+  const double found = largest_eigenvalue(all);
+  if (found <= allowed) return;
+  std::string names;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const auto at = static_cast<Index>(joints[i]);
+    const StructuralJoint& joint = structure.joints()[joints[i]];
+    const double given = residual(static_cast<Index>(i), static_cast<Index>(i));
+    if (all(at, at) > allowed) refuse_beside_spring(structure, joint, given);
+    if (joint.spring_in_modes == 0.0) continue;
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", joint.name);
+  }
+  throw InputError(
+      "compliance of the residual of joints " + names,
+      fmt::format("{:.4g} times 1/k of the springs in the modes, with the compliance of the modes",
+                  found),
+      "must be at most 1 times for any forces at the joints together", std::string(kOfTheModes));
 }
 
 }  // namespace
@@ -111,14 +153,18 @@ double static_mode_frequency(const JointedStructure& structure) {
                    "must have at least one elastic mode where there is a residual");
 }
 
+FurtherMode static_mode_at_rest(const JointedStructure& structure) {
+  return {.mode = {static_mode_frequency(structure), highest_mode(structure).loss_factor},
+          .points = std::vector<double>(structure.linear().points().size(), 0.0),
+          .joints = std::vector<double>(structure.joints().size(), 0.0)};
+}
+
 std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                                       const ResidualFlexibility& residual) {
   const std::vector<std::size_t> points =
       indices_of(residual.points, structure.linear().points(), "point");
   const std::vector<std::size_t> joints = indices_of(residual.joints, structure.joints(), "joint");
   const Eigen::MatrixXd matrix = checked_matrix(residual);
-  check_beside_springs(structure, joints,
-                       matrix.diagonal().tail(static_cast<Index>(joints.size())));
   const Eigen::VectorXd size = matrix.diagonal().cwiseSqrt();
   std::vector<FurtherMode> modes;
   if (size.isZero(0.0)) return modes;
@@ -133,14 +179,14 @@ std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                      "must have none: no structure moves against a force",
                      "Subtract the elastic modes of the model alone from the static compliance.");
   }
-  const double frequency = static_mode_frequency(structure);
+  const auto of_joints = static_cast<Index>(joints.size());
+  check_beside_springs(structure, joints, matrix.bottomRightCorner(of_joints, of_joints));
+  const FurtherMode still = static_mode_at_rest(structure);
   for (Index m = 0; m < eigenvalues.size(); ++m) {
     if (eigenvalues(m) <= kNothing) continue;
-    const Eigen::VectorXd shape =
-        frequency * std::sqrt(eigenvalues(m)) * size.cwiseProduct(solver.eigenvectors().col(m));
-    FurtherMode mode{.mode = {frequency, highest_mode(structure).loss_factor},
-                     .points = std::vector<double>(structure.linear().points().size(), 0.0),
-                     .joints = std::vector<double>(structure.joints().size(), 0.0)};
+    const Eigen::VectorXd shape = still.mode.angular_frequency * std::sqrt(eigenvalues(m)) *
+                                  size.cwiseProduct(solver.eigenvectors().col(m));
+    FurtherMode mode = still;
     const auto count = static_cast<Index>(points.size());
     for (Index p = 0; p < count; ++p) mode.points[points[static_cast<std::size_t>(p)]] = shape(p);
     for (std::size_t j = 0; j < joints.size(); ++j) {

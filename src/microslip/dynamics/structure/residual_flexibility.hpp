@@ -33,13 +33,21 @@ struct ResidualFlexibility {
 /// @throws InputError  for names that the structure does not have, or that occur twice; for another
 ///                     number of entries than a square has; entries that are not finite or not
 ///                     those across the diagonal; an R_pp below 0, or of 0 beside others in its
-///                     row; a negative λ; an R_jj of a joint above 1/k − Σ ψ_i²/ω_i² of a
-///                     spring k in the modes; a structure without an elastic mode.
+///                     row; a negative λ; where joints with springs K = diag(k) in the modes would
+///                     yield more than the springs, K^½(Σ ψ_i ψ_iᵀ/ω_i² + R)K^½ with an eigenvalue
+///                     above 1.001 and above those of the modes alone; a structure without an
+///                     elastic mode.
 [[nodiscard]] std::vector<FurtherMode> static_modes(const JointedStructure& structure,
                                                     const ResidualFlexibility& residual);
 
 /// Ten times the highest ω of the vibrations of a structure, rad/s: the frequency of modes that
 /// represent static compliance.
+/// @throws InputError  without an elastic mode.
 [[nodiscard]] double static_mode_frequency(const JointedStructure& structure);
+
+/// A static mode for which the motion of its places is to be given: at static_mode_frequency(),
+/// with the loss factor of the highest mode, all places at rest.
+/// @throws InputError  as static_mode_frequency().
+[[nodiscard]] FurtherMode static_mode_at_rest(const JointedStructure& structure);
 
 }  // namespace microslip
