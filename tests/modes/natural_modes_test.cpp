@@ -11,6 +11,7 @@
 
 #include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/modes/definite_pencil.hpp"
 #include "microslip/modes/system_assembly.hpp"
 #include "support/beam_matrices.hpp"
 #include "support/mass_chain.hpp"
@@ -136,6 +137,13 @@ TEST(NaturalModes, RefuseWhatIsNoStructure) {
   const std::string message =
       test::message_or("none", [&] { return find_natural_modes(system, {.count = 3}); });
   test::expect_message(message, "stiffness matrix = 1 negative eigenvalue");
+  // Of a pencil that has no factor the number is not known.
+  const Eigen::Matrix2d sound_mass = Eigen::Matrix2d::Identity();
+  test::expect_message(
+      test::message_or(
+          "none",
+          [&] { return definite_pairs(-2.0 * sound_mass, sound_mass, -1.0).eigenvalues.size(); }),
+      "stiffness matrix = not positive definite");
   const VibratingSystem sound = system_of(chain);
   EXPECT_THROW((void)find_natural_modes(sound, {}), InputError);
   EXPECT_THROW((void)find_natural_modes(sound, {.count = 0}), InputError);

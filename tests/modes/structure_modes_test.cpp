@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/modes/structure_modes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/io/matrices/matrix_market.hpp"
+#include "microslip/structure/entry_rounding.hpp"
 #include "support/beam_matrices.hpp"
 #include "support/figures.hpp"
 #include "support/mass_chain.hpp"
@@ -283,6 +290,77 @@ TEST(StructureModes, SayWhatTheDigitsOfTheMatrixHide) {
   EXPECT_EQ(code(), "");
   structure.matrices.stiffness_rounding = 5e-8;
   EXPECT_EQ(code(), "rigid_bodies_doubtful");
+}
+
+/// The warning of a code, "" without it.
+std::string warning_of(const StructureModes& found, std::string_view code) {
+  const auto one = std::ranges::find(found.warnings, code, &Warning::code);
+  return one == found.warnings.end() ? "" : one->text;
+}
+
+/// A matrix as a file of so many digits has it.
+SymmetricEntries written(const SymmetricEntries& entries, int digits) {
+  std::map<std::pair<std::int32_t, std::int32_t>, double> sums;
+  for (std::size_t i = 0; i < entries.value.size(); ++i) {
+    sums[{entries.row[i], entries.column[i]}] += entries.value[i];
+  }
+  SymmetricEntries rounded{.size = entries.size, .row = {}, .column = {}, .value = {}};
+  for (const auto& [place, value] : sums) {
+    MassChains::add(rounded, static_cast<std::size_t>(place.first),
+                    static_cast<std::size_t>(place.second),
+                    std::stod(fmt::format("{:.{}e}", value, digits - 1)));
+  }
+  return rounded;
+}
+
+// A uniform free bar has six different entries, too few to know that they are rounded: its two
+// rigid bodies have up to some 40 Hz then, or a negative ω². The truth is 0 Hz.
+TEST(StructureModes, SayWhatTheDigitsOfAFewEntriesMayHide) {
+  for (const std::size_t elements : {4U, 30U}) {
+    for (int digits = 7; digits <= 10; ++digits) {
+      const test::BeamMatrices bar{
+          elements, 0.4,
+          2.1e11 * std::pow(0.04, 4) / 12.0 * (1.0 + 1e-3 * digits * std::numbers::pi),
+          7850.0 * 0.04 * 0.04};
+      MeshedStructure structure{.matrices = bar.matrices()};
+      structure.matrices.stiffness = written(structure.matrices.stiffness, digits);
+      EXPECT_EQ(entry_rounding(structure.matrices.stiffness), 0.0);
+      structure.matrices.possible_rounding = possible_entry_rounding(structure.matrices.stiffness);
+      structure.points.push_back({.name = "end", .place = {.name = "row", .nodes = {}, .row = 0}});
+      const StructureModes found = compute_structure_modes(structure, {.count = 4});
+      EXPECT_TRUE(found.rigid_bodies == 2 || !warning_of(found, "rigid_bodies_doubtful").empty())
+          << elements << " elements, " << digits << " digits";
+      EXPECT_TRUE(found.summary.converged()) << found.summary.full();
+    }
+  }
+}
+
+// Three masses of 1 kg on a spring of 100 N/m, √(100/3) rad/s; two of them are tied by a stiff
+// spring p, whose rounding in the sums of the matrix is 1.1e-16 p. Of 1e16 N/m that is 1.
+TEST(StructureModes, SayWhereStiffSpringsMayHideSoftOnes) {
+  for (const double p : {1e14, 1e15, 1e16}) {
+    MeshedStructure structure;
+    structure.matrices.stiffness.size = structure.matrices.mass.size = 3;
+    for (const auto& [row, column, value] : {std::tuple{0U, 0U, p + 100.0},
+                                             {1U, 0U, -p},
+                                             {1U, 1U, p + 1e9},
+                                             {2U, 1U, -1e9},
+                                             {2U, 2U, 1e9}}) {
+      MassChains::add(structure.matrices.stiffness, row, column, value);
+    }
+    for (std::size_t i = 0; i < 3; ++i) MassChains::add(structure.matrices.mass, i, i, 1.0);
+    structure.points.push_back({.name = "end", .place = {.name = "row", .nodes = {}, .row = 2}});
+    const StructureModes found = compute_structure_modes(structure, {.count = 2});
+    if (found.rigid_bodies == 0) {
+      EXPECT_NEAR(found.model.modes()[0].angular_frequency, std::sqrt(100.0 / 3.0), 0.05) << p;
+      continue;
+    }
+    EXPECT_EQ(p, 1e16);
+    EXPECT_NE(warning_of(found, "rigid_bodies_doubtful"), "");
+    const std::string loose = warning_of(found, "rigid_bodies");
+    EXPECT_NE(loose.find("lost in the digits"), std::string::npos) << loose;
+    EXPECT_EQ(loose.find("support"), std::string::npos) << loose;
+  }
 }
 
 // Rotations that count as translations, for want of a mesh, show by what a translation strains.

@@ -49,8 +49,30 @@ TEST(EntryRounding, IsNoneOfExactNumbers) {
   EXPECT_EQ(entry_rounding(of_values({1000000001.0, -1e9, 1e9, 1.0, 2.0})), 0.0);
   EXPECT_EQ(entry_rounding(of_values({123456.7, 123456.7})), 0.0);
   EXPECT_EQ(entry_rounding(of_values({})), 0.0);
+  // Of different lengths, and all of five digits.
+  std::vector<double> whole;
+  std::vector<double> short_ones;
+  for (int i = 1; i <= 200; ++i) {
+    whole.push_back(7.0 * i * i * i);
+    short_ones.push_back(10000.0 + 37.0 * i);
+  }
+  EXPECT_EQ(entry_rounding(of_values(whole)), 0.0);
+  EXPECT_EQ(entry_rounding(of_values(short_ones)), 0.0);
   // A uniform mesh has few different entries.
   EXPECT_EQ(entry_rounding(of_values({1968750.0, 3281250.0, 6562500.0, 98437.5, 131250.0})), 0.0);
+}
+
+// The entries of a uniform bar of eight digits, and some that are exact.
+TEST(EntryRounding, OfAFewEntriesIsPossible) {
+  const SymmetricEntries bar = of_values(
+      {-1516750100.0, -227512510000.0, 13482223.0, 26964446.0, 455025030000.0, 6741111.5});
+  EXPECT_EQ(entry_rounding(bar), 0.0);
+  EXPECT_NEAR(possible_entry_rounding(bar), 5e-8, 1e-16);
+  EXPECT_EQ(possible_entry_rounding(of_values({0.1F, 0.7F})), 0x1p-24);
+  EXPECT_EQ(possible_entry_rounding(of_values({3e6, -1e6, 1e6, 2.5e5, 7000.0})), 0.0);
+  EXPECT_EQ(possible_entry_rounding(of_values({1968750.0, 3281250.0, 6562500.0, 131250.0})), 0.0);
+  EXPECT_EQ(possible_entry_rounding(of_values({0.1, 0.2, 1.0 / 3.0})), 0.0);
+  EXPECT_EQ(possible_entry_rounding(of_values({})), 0.0);
 }
 
 }  // namespace

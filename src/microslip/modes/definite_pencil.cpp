@@ -79,18 +79,20 @@ MatrixXd symmetric(const MatrixXd& matrix) { return 0.5 * (matrix + matrix.trans
 
 }  // namespace
 
-void refuse_negative_stiffness(std::size_t negative) {
-  throw InputError("stiffness matrix",
-                   fmt::format("{} negative eigenvalue{}", negative, negative == 1 ? "" : "s"),
-                   "must have none beyond rounding",
-                   "Are the two matrices exchanged, entries missing or written with few digits?");
+void refuse_negative_stiffness(std::optional<std::size_t> negative) {
+  throw InputError(
+      "stiffness matrix",
+      negative ? fmt::format("{} negative eigenvalue{}", *negative, *negative == 1 ? "" : "s")
+               : "not positive definite",
+      "must have no negative eigenvalue beyond rounding",
+      "Are the two matrices exchanged, entries missing or written with few digits?");
 }
 
 ModalPairs definite_pairs(const MatrixXd& stiffness, const MatrixXd& mass, double shift) {
   const MatrixXd k = symmetric(stiffness);
   const MatrixXd m = symmetric(mass);
   const Eigen::LLT<MatrixXd> factor((k - shift * m).eval());
-  if (factor.info() != Eigen::Success) refuse_negative_stiffness(1);
+  if (factor.info() != Eigen::Success) refuse_negative_stiffness(std::nullopt);
   const MatrixXd half = factor.matrixL().solve(mass_root(m));
   // A first approximation, of θ with ε of the largest: few rotations are left.
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver((half * half.transpose()).eval());

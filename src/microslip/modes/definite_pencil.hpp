@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "microslip/algebra/core.hpp"
 
 namespace microslip {
@@ -24,7 +27,8 @@ struct ModalPairs {
                                         const Eigen::MatrixXd& mass, double shift);
 
 /// Reports negative eigenvalues of a stiffness matrix.
+/// @param negative  their number; none where it is not known.
 /// @throws InputError  always.
-[[noreturn]] void refuse_negative_stiffness(std::size_t negative);
+[[noreturn]] void refuse_negative_stiffness(std::optional<std::size_t> negative);
 
 }  // namespace microslip

@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
@@ -39,6 +41,10 @@ constexpr double kFirstShift = 1e-10;
 constexpr double kNearShift = 0.01;
 /// Of −σ over what rounding makes of the ω² of rigid bodies, a bound.
 constexpr double kBeyondRounding = 4.0;
+/// Of the bound of what rounding makes of the ω² of a rigid body: more is hardly rounding.
+constexpr double kHardlyRounding = 1.0 / 16.0;
+/// Of the squared norm in M of a shape: less lies in the span of others but for rounding.
+constexpr double kDependent = 1e-10;
 /// Between eigenvalues, relative: less is one multiple eigenvalue.
 constexpr double kGap = 1e-6;
 /// Larger residuals are reported, unless they are rounding.
@@ -115,11 +121,32 @@ class MassOperator {
   const Eigen::SparseMatrix<double>& mass_;
 };
 
+/// The columns of a Gram matrix with unit diagonal that do not depend on those before: pivots of
+/// its Cholesky factor.
+std::vector<Index> independent_columns(const MatrixXd& gram) {
+  std::vector<Index> kept;
+  MatrixXd lower = MatrixXd::Zero(gram.rows(), gram.cols());
+  for (Index j = 0; j < gram.cols(); ++j) {
+    const auto before = static_cast<Index>(kept.size());
+    const double pivot = gram(j, j) - lower.row(j).head(before).squaredNorm();
+    if (!(pivot > kDependent)) continue;
+    const Index below = gram.rows() - j;
+    lower.col(before).tail(below) =
+        (gram.col(j).tail(below) -
+         lower.bottomLeftCorner(below, before) * lower.row(j).head(before).transpose()) /
+        std::sqrt(pivot);
+    kept.push_back(j);
+  }
+  return kept;
+}
+
 /// Rayleigh–Ritz in the span of some columns.
 ModalPairs ritz_pairs(const VibratingSystem& system, double shift, MatrixXd basis) {
   for (Index i = 0; i < basis.cols(); ++i) {
     basis.col(i) /= std::sqrt(basis.col(i).dot(system.mass * basis.col(i)));
   }
+  const std::vector<Index> kept = independent_columns(basis.transpose() * (system.mass * basis));
+  if (static_cast<Index>(kept.size()) < basis.cols()) basis = basis(Eigen::all, kept).eval();
   ModalPairs pairs = definite_pairs(basis.transpose() * system.stiffness_times(basis),
                                     basis.transpose() * (system.mass * basis), shift);
   pairs.shapes = basis * pairs.shapes;
@@ -144,7 +171,7 @@ class Search {
       : system_(system), range_(range), progress_(progress) {}
 
   NaturalModes run() {
-    factorise(-std::max(kFirstShift, kBeyondRounding * system_.stiffness_rounding) *
+    factorise(-std::max(kFirstShift, kBeyondRounding * system_.possible_entry_error()) *
               trace_ratio(system_));
     wanted_ = wanted_modes();
     find_lowest(wanted_ + kSpareModes);
@@ -226,24 +253,36 @@ class Search {
     if (progress_ && !progress_(solves_, expected_)) throw Cancelled();
   }
 
-  /// What rounding of K may add to φᵀKφ.
-  [[nodiscard]] double rounded_energy(Index mode) const {
+  /// |φ|ᵀ|K||φ|: what an error of the entries of K, relative, may add to φᵀKφ.
+  [[nodiscard]] double energy_of_sizes(Index mode) const {
     const VectorXd shape = pairs_.shapes.col(mode);
-    return shape.cwiseAbs().dot(system_.rounding_times(shape));
+    return shape.cwiseAbs().dot(system_.sizes_times(shape));
   }
 
   /// The modes whose strain energy is rounding, counted from the lowest.
   struct RigidBodies {
     Index count = 0;
     double rounding = 0.0;  ///< the largest bound of their ω²
+    double doubtful = 0.0;  ///< NaturalModes::doubtful
   };
   [[nodiscard]] RigidBodies rigid_bodies() const {
     RigidBodies found;
     for (; found.count < pairs_.eigenvalues.size(); ++found.count) {
-      const double rounding = rounded_energy(found.count);
-      if (pairs_.eigenvalues(found.count) > rounding) break;
-      if (pairs_.eigenvalues(found.count) < -rounding) refuse_negative_stiffness(1);
-      found.rounding = std::max(found.rounding, rounding);
+      const double square = pairs_.eigenvalues(found.count);
+      const double sizes = energy_of_sizes(found.count);
+      const double certain = system_.entry_error() * sizes;
+      const double possible = system_.possible_entry_error() * sizes;
+      if (square < -possible) refuse_negative_stiffness(std::nullopt);
+      if (square > possible) break;
+      if (square > certain) {
+        found.doubtful = std::max(found.doubtful, possible);
+        break;
+      }
+      const double bound = square < -certain ? possible : certain;
+      found.rounding = std::max(found.rounding, bound);
+      if (square < -certain || square > kHardlyRounding * bound) {
+        found.doubtful = std::max(found.doubtful, bound);
+      }
     }
     return found;
   }
@@ -338,6 +377,7 @@ class Search {
     const RigidBodies rigid = rigid_bodies();
     modes.rigid_bodies = static_cast<std::size_t>(std::min(rigid.count, count));
     modes.rounding = rigid.rounding;
+    modes.doubtful = rigid.doubtful;
     modes.eigenvalues = pairs_.eigenvalues.head(count);
     modes.eigenvalues.head(static_cast<Index>(modes.rigid_bodies)).setZero();
     modes.shapes = pairs_.shapes.leftCols(count);

@@ -27,6 +27,10 @@ struct NaturalModes {
   /// What rounding of K can make of ω² of a rigid body, a bound, rad²/s²; 0 without rigid bodies.
   /// Nothing distinguishes a soft spring from none below it.
   double rounding = 0.0;
+  /// Below this ω², rad²/s², modes are not told from rigid bodies, and there are such: a rigid body
+  /// whose φᵀKφ is above 1/16 of the bound, as that of soft springs beside stiff ones may be, or a
+  /// mode within the rounding that K may have. 0 where nothing is in doubt.
+  double doubtful = 0.0;
   Eigen::VectorXd residuals;  ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ|, 1; of rigid bodies 0
   /// Factor of the system, at a σ < 0 that is small against ω² of the first mode that strains, if
   /// one was found.
@@ -42,12 +46,13 @@ struct NaturalModes {
 ///
 ///     φᵀKφ ≤ (16 ε + ε_K) |φ|ᵀ|K||φ|
 ///
-/// with ε of a double and ε_K = VibratingSystem::stiffness_rounding.
+/// with ε of a double and ε_K = VibratingSystem::stiffness_rounding; where it is negative, with
+/// the possible_rounding as well.
 /// @param system    whose M has no negative eigenvalue.
 /// @param range     with more modes than the system has, all of them.
 /// @param progress  called with the solutions done of their number; may stop the search.
-/// @throws InputError  where K has a negative eigenvalue beyond rounding, or no mode is in the
-///     range.
+/// @throws InputError  where K has a negative eigenvalue beyond possible rounding, or no mode is
+///     in the range.
 /// @throws Cancelled
 [[nodiscard]] NaturalModes find_natural_modes(const VibratingSystem& system, const ModeRange& range,
                                               const Progress& progress = {});

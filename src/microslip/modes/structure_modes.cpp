@@ -181,24 +181,47 @@ void warn_of_rigid_bodies(StructureModes& found) {
   const std::size_t loose = not_held_by_joints(found);
   if (loose == 0) return;
   found.warnings.push_back(
-      {"rigid_bodies",
-       fmt::format("{} mode{} of 0 Hz {} restrained by nothing{}. Is a support missing?", loose,
-                   loose == 1 ? "" : "s", loose == 1 ? "is" : "are",
-                   found.joint_shapes.empty() ? "" : ", no joint either")});
+double hertz_of(double square) { return std::sqrt(square) / (2.0 * std::numbers::pi); }
+
+/// Springs may be lost in the digits of stiff ones: no support is missing then.
+      {"rigid_bodies", fmt::format("{} mode{} of 0 Hz {} restrained by nothing{}.{}", loose,
+                                   loose == 1 ? "" : "s", loose == 1 ? "is" : "are",
+                                   found.joint_shapes.empty() ? "" : ", no joint either", cause)});
+}
+
+/// ω of the first mode above what the digits hide, rad/s; 0 without one.
+double first_above(const StructureModes& found, double hidden) {
+  for (std::size_t i = found.rigid_bodies; i < found.modes; ++i) {
+    const double omega = found.model.modes()[i].angular_frequency;
+    if (omega * omega > hidden) return omega;
+  }
+  return 0.0;
+  const double hidden = hertz_of(found.rounding);
+  std::string cause = " Is a support missing?";
+  if (found.doubtful > 0.0) {
+    cause = " Springs may be lost in the digits of the stiffness matrix.";
+  } else if (hidden >= kSlowestMode) {
+    cause += fmt::format(
+        " (Springs on which it is slower than {:.2g} Hz are lost in the digits of the matrix.)",
+        hidden);
+  }
 }
 
 void warn_of_rounding(StructureModes& found) {
-  if (found.rigid_bodies == 0 || found.rigid_bodies >= found.modes) return;
-  const double first = found.model.modes()[found.rigid_bodies].angular_frequency;
-  if (found.rounding <= kHiddenAllowed * first * first) return;
+  const double hidden = std::max(found.rounding, found.doubtful);
+  const double first = first_above(found, hidden);
+  const bool near = first > 0.0 && found.rounding > kHiddenAllowed * first * first;
+  if (!near && found.doubtful == 0.0) return;
   found.warnings.push_back(
       {"rigid_bodies_doubtful",
        fmt::format("The digits of the stiffness matrix do not distinguish modes below {:.3g} Hz "
-                   "from rigid-body modes; the first mode above is at {:.4g} Hz. Soft springs may "
-                   "be lost. Give the matrix with more digits, a coarser mesh or fewer stiff "
+                   "from rigid-body modes{}. Soft springs may be lost, or rigid-body modes have a "
+                   "frequency. Give the matrix with more digits, a coarser mesh or fewer stiff "
                    "springs.",
-                   std::sqrt(found.rounding) / (2.0 * std::numbers::pi),
-                   first / (2.0 * std::numbers::pi))});
+                   hertz_of(hidden),
+                   first > 0.0 ? fmt::format("; the first mode above is at {:.4g} Hz",
+                                             first / (2.0 * std::numbers::pi))
+                               : "")});
 }
 
 std::string capitalised(YieldingPlace place) {
@@ -330,3 +353,4 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
 }
 
 }  // namespace microslip
+  found.doubtful = modes.doubtful;

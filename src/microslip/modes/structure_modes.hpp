@@ -64,6 +64,8 @@ struct StructureModes {
   std::size_t rigid_bodies = 0;  ///< number of modes with ω = 0: unrestrained
   double rounding = 0.0;  ///< ω² of a mode that rounding of K does not distinguish from a rigid
                           ///< body, rad²/s²; 0 without rigid bodies
+  double doubtful = 0.0;  ///< ω² below which modes may be those of rigid bodies, or rigid bodies
+                          ///< modes on soft springs, rad²/s²; 0 where there are none such
   std::vector<double> residuals = {};  ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ| of each mode, 1
   std::vector<StaticCompliance> compliances = {};  ///< of the joints, then of what is attached
   std::vector<BaseMass> base_masses = {};          ///< one per base

@@ -368,3 +368,4 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
 }
 
 }  // namespace microslip
+  assembled.system.possible_rounding = structure.matrices.possible_rounding;

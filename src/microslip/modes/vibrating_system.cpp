@@ -12,7 +12,7 @@ namespace {
 
 using Triplet = Eigen::Triplet<double, Eigen::SparseMatrix<double>::StorageIndex>;
 
-constexpr double kEntryRoundings = 16.0;
+constexpr double kSumRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 void add_lower(const Eigen::SparseMatrix<double>& matrix, double factor,
                std::vector<Triplet>& entries) {
@@ -58,7 +58,13 @@ Eigen::MatrixXd VibratingSystem::stiffness_times(const Eigen::MatrixXd& x) const
   return force;
 }
 
-Eigen::VectorXd VibratingSystem::rounding_times(const Eigen::VectorXd& x) const {
+double VibratingSystem::entry_error() const { return kSumRounding + stiffness_rounding; }
+
+double VibratingSystem::possible_entry_error() const {
+  return kSumRounding + std::max(stiffness_rounding, possible_rounding);
+}
+
+Eigen::VectorXd VibratingSystem::sizes_times(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd size = x.cwiseAbs();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(x.size());
   for (Eigen::Index j = 0; j < stiffness.outerSize(); ++j) {
@@ -71,7 +77,11 @@ Eigen::VectorXd VibratingSystem::rounding_times(const Eigen::VectorXd& x) const 
     const Eigen::VectorXd tension = spring_stiffness.asDiagonal() * (motions.transpose() * size);
     force += motions * tension;
   }
-  return (stiffness_rounding + kEntryRoundings * std::numeric_limits<double>::epsilon()) * force;
+  return force;
+}
+
+Eigen::VectorXd VibratingSystem::rounding_times(const Eigen::VectorXd& x) const {
+  return entry_error() * sizes_times(x);
 }
 
 ShiftedFactor::ShiftedFactor(const VibratingSystem& system, double shift)

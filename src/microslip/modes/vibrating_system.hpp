@@ -20,14 +20,23 @@ struct VibratingSystem {
   /// The largest error of an entry of K over the entry, beyond that of a double: of matrices that
   /// were written with few digits. From 0.
   double stiffness_rounding = 0.0;
+  /// And what it may be, where the entries may as well be exact. From 0; less than
+  /// stiffness_rounding has no meaning.
+  double possible_rounding = 0.0;
 
   /// n.
   [[nodiscard]] Eigen::Index size() const { return stiffness.rows(); }
   /// (K + B diag(k) Bᵀ) x; x may have several columns.
   [[nodiscard]] Eigen::MatrixXd stiffness_times(const Eigen::MatrixXd& x) const;
+  /// 16 ε + stiffness_rounding with ε of a double: an entry is a sum over the points of some
+  /// elements.
+  [[nodiscard]] double entry_error() const;
+  /// The larger of that and 16 ε + possible_rounding.
+  [[nodiscard]] double possible_entry_error() const;
+  /// (|K| + |B| diag(k) |B|ᵀ)|x|.
+  [[nodiscard]] Eigen::VectorXd sizes_times(const Eigen::VectorXd& x) const;
   /// A bound, per row, of what rounding of the entries changes in stiffness_times(x):
-  /// (16 ε + stiffness_rounding)(|K| + |B| diag(k) |B|ᵀ)|x| with ε of a double; an entry is a sum
-  /// over the points of some elements.
+  /// entry_error() of sizes_times(x).
   [[nodiscard]] Eigen::VectorXd rounding_times(const Eigen::VectorXd& x) const;
 };
 

@@ -55,18 +55,28 @@ bool is_single(double size) {
          static_cast<double>(static_cast<float>(size)) == size;
 }
 
+/// The rounding of entries of the given sizes where so many parts of four have all of the digits.
+double rounding_of(const std::vector<double>& sizes, std::size_t quarters) {
+  if (sizes.empty()) return 0.0;
+  std::vector<int> digits;
+  for (const double size : sizes) digits.push_back(digits_of(size));
+  const int most = *std::ranges::max_element(digits);
+  const auto with_all = static_cast<std::size_t>(std::ranges::count(digits, most));
+  if (most > kMostDigits) return std::ranges::all_of(sizes, is_single) ? kSingleRounding : 0.0;
+  if (most < kFewestDigits || 4 * with_all < quarters * digits.size()) return 0.0;
+  return 5.0 * std::pow(10.0, -most);
+}
+
 }  // namespace
 
 double entry_rounding(const SymmetricEntries& entries) {
   const std::vector<double> sizes = sample_of(entries.value);
-  std::vector<int> digits;
-  for (const double size : sizes) digits.push_back(digits_of(size));
-  if (digits.size() < kLeastEntries) return 0.0;
-  const int most = *std::ranges::max_element(digits);
-  const auto with_all = static_cast<std::size_t>(std::ranges::count(digits, most));
-  if (most > kMostDigits) return std::ranges::all_of(sizes, is_single) ? kSingleRounding : 0.0;
-  if (most < kFewestDigits || 2 * with_all < digits.size()) return 0.0;
-  return 5.0 * std::pow(10.0, -most);
+  return sizes.size() < kLeastEntries ? 0.0 : rounding_of(sizes, 2);
+}
+
+double possible_entry_rounding(const SymmetricEntries& entries) {
+  const std::vector<double> sizes = sample_of(entries.value);
+  return rounding_of(sizes, sizes.size() < kLeastEntries ? 3 : 2);
 }
 
 }  // namespace microslip

@@ -49,6 +49,7 @@ struct StructuralMatrices {
   /// One per row; empty where the degrees of freedom are not known.
   std::vector<DegreeOfFreedom> degrees = {};
   double stiffness_rounding = 0.0;  ///< entry_rounding() of K as it was written; from 0
+  double possible_rounding = 0.0;   ///< possible_entry_rounding() of K as it was written; from 0
 };
 
 }  // namespace microslip

@@ -153,6 +153,7 @@ StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
   }
   if (table.has("calculix")) name_rotations(mesh, matrices.degrees);
   matrices.stiffness_rounding = entry_rounding(matrices.stiffness);
+  matrices.possible_rounding = possible_entry_rounding(matrices.stiffness);
   convert(matrices.stiffness, matrices.degrees, units);
   convert(matrices.mass, matrices.degrees, units);
   return matrices;
