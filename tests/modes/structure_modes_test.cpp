@@ -363,6 +363,87 @@ TEST(StructureModes, SayWhereStiffSpringsMayHideSoftOnes) {
   }
 }
 
+// A stiffness that was cut after its eighth column, beside a whole mass.
+TEST(StructureModes, SayWhereStiffnessIsMissing) {
+  MeshedStructure structure = chain_with_joint(12);
+  const SymmetricEntries whole = structure.matrices.stiffness;
+  SymmetricEntries& cut = structure.matrices.stiffness;
+  cut = {.size = 12, .row = {}, .column = {}, .value = {}};
+  for (std::size_t i = 0; i < whole.value.size(); ++i) {
+    const auto row = static_cast<std::size_t>(whole.row[i]);
+    if (row >= 8) continue;
+    MassChains::add(cut, row, static_cast<std::size_t>(whole.column[i]), whole.value[i]);
+  }
+  const std::string text =
+      warning_of(compute_structure_modes(structure, {.count = 5}), "stiffness_rows_missing");
+  // The joint holds the last.
+  test::expect_message(text,
+                       "no entry at 3 degrees of freedom with mass, the first of them node 9 x");
+  const StructureModes sound = compute_structure_modes(chain_with_joint(12), {.count = 5});
+  EXPECT_EQ(warning_of(sound, "stiffness_rows_missing"), "");
+}
+
+// A chain of 200 kg, and one rotation of 5000 kg m² that counts as x: 3 of 101 rows are strained.
+TEST(StructureModes, OfABaseThatStrainsMuchMassSayWhatItMoves) {
+  const MassChains chain{.masses = 100, .k = 1e7};
+  MeshedStructure structure{.matrices = chain.matrices()};
+  structure.matrices.stiffness.size = structure.matrices.mass.size = 101;
+  structure.matrices.degrees.push_back({200, NodalDirection::kX});
+  for (const auto& [row, column, sign] : {std::tuple{49U, 49U, 1.0},
+                                          {50U, 50U, 1.0},
+                                          {50U, 49U, -1.0},
+                                          {100U, 100U, 1.0},
+                                          {100U, 49U, 1.0},
+                                          {100U, 50U, -1.0}}) {
+    MassChains::add(structure.matrices.stiffness, row, column, sign * chain.k);
+  }
+  MassChains::add(structure.matrices.mass, 100, 100, 5000.0);
+  structure.points.push_back({.name = "end", .place = {.name = "row", .nodes = {}, .row = 99}});
+  structure.bases.push_back({.name = "table"});
+  const StructureModes found = compute_structure_modes(structure, {.count = 2});
+  test::expect_message(warning_of(found, "base_rows_doubtful"), "4 of the 101 rows that it moves");
+}
+
+// Beside a free chain of 60 kg and an inner degree of freedom of 5 kg, as above, two masses of 30
+// and 40 kg that a stiff spring ties: one of them alone would strain it.
+TEST(StructureModes, OfABaseMoveNodesWithoutElementTogether) {
+  const MassChains chain{.masses = 30, .held = false, .k = 1e7};
+  MeshedStructure structure{.matrices = chain.matrices()};
+  structure.matrices.stiffness.size = structure.matrices.mass.size = 33;
+  for (std::int64_t node = 100; node < 103; ++node) {
+    structure.matrices.degrees.push_back({node, NodalDirection::kX});
+    structure.nodes_without_element.push_back(node);
+  }
+  for (const auto& [row, column, value] : {std::tuple{0U, 0U, 1e7},
+                                           {1U, 1U, 1e7},
+                                           {1U, 0U, -1e7},
+                                           {30U, 30U, 1e7},
+                                           {30U, 0U, 1e7},
+                                           {30U, 1U, -1e7},
+                                           {29U, 29U, 1e6},
+                                           {31U, 31U, 1e6 + 1e7},
+                                           {31U, 29U, -1e6},
+                                           {32U, 32U, 1e7},
+                                           {32U, 31U, -1e7}}) {
+    MassChains::add(structure.matrices.stiffness, row, column, value);
+  }
+  MassChains::add(structure.matrices.mass, 30, 30, 5.0);
+  MassChains::add(structure.matrices.mass, 31, 31, 30.0);
+  MassChains::add(structure.matrices.mass, 32, 32, 40.0);
+  structure.points.push_back({.name = "end", .place = {.name = "row", .nodes = {}, .row = 29}});
+  structure.bases.push_back({.name = "table"});
+  const auto mass = [&] {
+    return compute_structure_modes(structure, {.count = 2}).base_masses[0].total;
+  };
+  EXPECT_NEAR(mass(), 130.0, 1e-9);
+  // Also where a weak spring ties the inner one to them: the least is then sought from both sides.
+  for (const auto& [row, column, value] :
+       {std::tuple{30U, 30U, 1e3}, {31U, 31U, 1e3}, {31U, 30U, -1e3}}) {
+    MassChains::add(structure.matrices.stiffness, row, column, value);
+  }
+  EXPECT_NEAR(mass(), 130.0, 1e-9);
+}
+
 // Rotations that count as translations, for want of a mesh, show by what a translation strains.
 TEST(StructureModes, OfABaseThatStrainsSayWhatItMoves) {
   const MassChains chain{.masses = 30};

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 
@@ -42,12 +44,16 @@ VectorXd motion_along(const MeshedStructure& structure, const MeshBase& base,
   return motion;
 }
 
-/// Rows that may be no translations, a node each, and which of them move.
+/// Rows that may be no translations, and which of them move.
 class DoubtfulRows {
  public:
   DoubtfulRows(const MeshedStructure& structure, const VectorXd& motion, const Sparse& stiffness)
-      : stiffness_(stiffness), motion_(motion), own_(VectorXd::Zero(motion.size())) {
-    std::map<std::int64_t, std::vector<Index>> nodes;
+      : stiffness_(stiffness),
+        motion_(motion),
+        own_(VectorXd::Zero(motion.size())),
+        step_(VectorXd::Zero(motion.size())),
+        force_(stiffness * motion) {
+    std::map<std::int64_t, Rows> nodes;
     for (Index row = 0; row < motion.size(); ++row) {
       const std::int64_t node = structure.matrices.degrees[static_cast<std::size_t>(row)].node;
       if (motion(row) == 0.0 ||
@@ -57,53 +63,115 @@ class DoubtfulRows {
       nodes[node].push_back(row);
       own_(row) = motion(row);
     }
-    for (auto& [node, rows] : nodes) groups_.push_back(std::move(rows));
+    for (auto& [node, rows] : nodes) nodes_.push_back(std::move(rows));
   }
 
-  /// The motion of least energy, by a node at a time from the better of all and none.
+  /// The motion of least energy that is found: for the nodes that stiffness connects, a node at a
+  /// time from all of them and from none.
   VectorXd least() {
-    if (groups_.empty()) return motion_;
-    const VectorXd without = motion_ - own_;
-    if (without.dot(stiffness_ * without) < motion_.dot(stiffness_ * motion_)) motion_ = without;
-    force_ = stiffness_ * motion_;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
-      bool changed = false;
-      for (const std::vector<Index>& rows : groups_) changed = turn_over(rows) || changed;
-      if (!changed) break;
+    for (const std::vector<Rows>& group : connected_nodes()) {
+      Rows rows;
+      for (const Rows& node : group) rows.insert(rows.end(), node.begin(), node.end());
+      const double moving = settled(group);
+      const VectorXd kept = motion_(rows);
+      const Change stop = change_to(rows, 0.0);
+      take(rows, 0.0);
+      const double resting = moving + stop.energy + settled(group);
+      if (resting < moving - kEnergyGained * stop.alone) continue;
+      for (std::size_t i = 0; i < rows.size(); ++i) put(rows[i], kept(static_cast<Index>(i)));
     }
     return motion_;
   }
 
  private:
-  /// Starts or stops the rows of a node where that takes energy away.
-  bool turn_over(const std::vector<Index>& rows) {
-    const double sign = motion_(rows.front()) == 0.0 ? 1.0 : -1.0;
-    const auto step = [&](Index row) {
-      return std::ranges::find(rows, row) == rows.end() ? 0.0 : sign * own_(row);
-    };
-    double alone = 0.0;
-    double with_others = 0.0;
+  using Rows = std::vector<Index>;
+
+  /// What a step changes of the energy rᵀKr, and the energy of the step alone.
+  struct Change {
+    double energy;
+    double alone;
+  };
+
+  /// Nodes that entries of K connect, through each other.
+  [[nodiscard]] std::vector<std::vector<Rows>> connected_nodes() const {
+    std::map<Index, std::size_t> node_of;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (const Index row : nodes_[i]) node_of[row] = i;
+    }
+    std::vector<bool> seen(nodes_.size(), false);
+    std::vector<std::vector<Rows>> groups;
+    for (std::size_t first = 0; first < nodes_.size(); ++first) {
+      if (seen[first]) continue;
+      seen[first] = true;
+      std::vector<std::size_t> reached = {first};
+      for (std::size_t i = 0; i < reached.size(); ++i) {
+        for (const Index row : nodes_[reached[i]]) {
+          for (Sparse::InnerIterator entry(stiffness_, row); entry; ++entry) {
+            const auto other = node_of.find(entry.row());
+            if (entry.value() == 0.0 || other == node_of.end() || seen[other->second]) continue;
+            seen[other->second] = true;
+            reached.push_back(other->second);
+          }
+        }
+      }
+      groups.emplace_back();
+      for (const std::size_t node : reached) groups.back().push_back(nodes_[node]);
+    }
+    return groups;
+  }
+
+  /// Of the motion of rows by a share of their own.
+  [[nodiscard]] Change change_to(const Rows& rows, double share) {
+    for (const Index row : rows) step_(row) = share * own_(row) - motion_(row);
+    Change change{0.0, 0.0};
     for (const Index row : rows) {
-      with_others += 2.0 * force_(row) * step(row);
+      change.energy += 2.0 * force_(row) * step_(row);
       for (Sparse::InnerIterator entry(stiffness_, row); entry; ++entry) {
-        alone += step(row) * entry.value() * step(entry.row());
+        change.alone += step_(row) * entry.value() * step_(entry.row());
       }
     }
-    if (!(with_others + alone < -kEnergyGained * alone)) return false;
-    for (const Index row : rows) {
-      motion_(row) += step(row);
-      for (Sparse::InnerIterator entry(stiffness_, row); entry; ++entry) {
-        force_(entry.row()) += entry.value() * step(row);
-      }
+    change.energy += change.alone;
+    for (const Index row : rows) step_(row) = 0.0;
+    return change;
+  }
+
+  void put(Index row, double motion) {
+    const double step = motion - motion_(row);
+    if (step == 0.0) return;
+    motion_(row) = motion;
+    for (Sparse::InnerIterator entry(stiffness_, row); entry; ++entry) {
+      force_(entry.row()) += entry.value() * step;
     }
-    return true;
+  }
+
+  void take(const Rows& rows, double share) {
+    for (const Index row : rows) put(row, share * own_(row));
+  }
+
+  /// Starts or stops nodes while that takes energy away. @return the change of the energy
+  double settled(const std::vector<Rows>& group) {
+    double sum = 0.0;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      bool changed = false;
+      for (const Rows& rows : group) {
+        const double share = motion_(rows.front()) == 0.0 ? 1.0 : 0.0;
+        const Change change = change_to(rows, share);
+        if (!(change.energy < -kEnergyGained * change.alone)) continue;
+        take(rows, share);
+        sum += change.energy;
+        changed = true;
+      }
+      if (!changed) break;
+    }
+    return sum;
   }
 
   const Sparse& stiffness_;
   VectorXd motion_;
-  VectorXd own_;  ///< of the doubtful rows alone, where all move
+  VectorXd own_;   ///< of the doubtful rows alone, where all move
+  VectorXd step_;  ///< 0 but within change_to()
   VectorXd force_;
-  std::vector<std::vector<Index>> groups_;
+  std::vector<Rows> nodes_;
 };
 
 }  // namespace

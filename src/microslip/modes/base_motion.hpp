@@ -20,8 +20,9 @@ struct BaseMotion {
 
 /// r of a base: 1 in the rows that it names; else in each row the component of its direction. Rows
 /// of nodes that no element has may be no translations, whatever their number: those are left at
-/// rest for which the strain energy rᵀKr is less than with them, as a structure that translates
-/// has none.
+/// rest without which the strain energy rᵀKr is least, as a structure that translates has none;
+/// of nodes that stiffness connects the least is sought a node at a time, from all of them and from
+/// none.
 /// @param stiffness  K of all rows, without joints.
 /// @throws InputError  for a row that is not there, a rotation, or a direction without degrees of
 ///                     freedom.

@@ -127,18 +127,23 @@ ModalModel model_of(const MeshedStructure& structure, const AssembledSystem& ass
 /// Rows of a structure that is no coarse model.
 constexpr std::size_t kManyRows = 20;
 
+/// Of the mass that a base moves, in rows that it strains: more than beside supports.
+constexpr double kStrainedMassAllowed = 0.25;
+
 /// A structure that translates is strained beside its supports alone.
 void warn_of_strained_base(const AssembledSystem& assembled, std::size_t b, StructureModes& found) {
   const AssembledSystem::MovedRows rows = assembled.base_rows[b];
-  if (rows.moved < kManyRows || 2 * rows.strained <= rows.moved) return;
+  const bool many = 2 * rows.strained > rows.moved || rows.strained_mass > kStrainedMassAllowed;
+  if (rows.moved < kManyRows || !many) return;
   found.warnings.push_back(
       {"base_rows_doubtful",
-       fmt::format("Base '{}' strains {} of the {} rows that it moves. Are all of them "
-                   "translations, and is {:.6g} kg the mass that it carries? Inner degrees of "
+       fmt::format("Base '{}' strains {} of the {} rows that it moves, with {:.3g} % of the mass. "
+                   "Are all of them translations, and is {:.6g} kg the mass that it carries? Inner "
+                   "degrees of "
                    "freedom of elements, rotations and openings must not move with it: give the "
                    "nodes and elements by [nodes], or the rows that move.",
                    found.model.bases()[b].name, rows.strained, rows.moved,
-                   assembled.base_masses(static_cast<Index>(b)))});
+                   100.0 * rows.strained_mass, assembled.base_masses(static_cast<Index>(b)))});
 }
 
 void report_base_masses(const AssembledSystem& assembled, StructureModes& found) {
@@ -176,14 +181,23 @@ std::size_t not_held_by_joints(const StructureModes& found) {
   return found.rigid_bodies - static_cast<std::size_t>(rank.rank());
 }
 
+double hertz_of(double square) { return std::sqrt(square) / (2.0 * std::numbers::pi); }
+
+/// Springs may be lost in the digits of stiff ones: no support is missing then.
 void warn_of_rigid_bodies(StructureModes& found) {
   if (found.rigid_bodies == 0) return;
   const std::size_t loose = not_held_by_joints(found);
   if (loose == 0) return;
+  const double hidden = hertz_of(found.rounding);
+  std::string cause = " Is a support missing?";
+  if (found.doubtful > 0.0) {
+    cause = " Springs may be lost in the digits of the stiffness matrix.";
+  } else if (hidden >= kSlowestMode) {
+    cause += fmt::format(
+        " (Springs on which it is slower than {:.2g} Hz are lost in the digits of the matrix.)",
+        hidden);
+  }
   found.warnings.push_back(
-double hertz_of(double square) { return std::sqrt(square) / (2.0 * std::numbers::pi); }
-
-/// Springs may be lost in the digits of stiff ones: no support is missing then.
       {"rigid_bodies", fmt::format("{} mode{} of 0 Hz {} restrained by nothing{}.{}", loose,
                                    loose == 1 ? "" : "s", loose == 1 ? "is" : "are",
                                    found.joint_shapes.empty() ? "" : ", no joint either", cause)});
@@ -196,15 +210,6 @@ double first_above(const StructureModes& found, double hidden) {
     if (omega * omega > hidden) return omega;
   }
   return 0.0;
-  const double hidden = hertz_of(found.rounding);
-  std::string cause = " Is a support missing?";
-  if (found.doubtful > 0.0) {
-    cause = " Springs may be lost in the digits of the stiffness matrix.";
-  } else if (hidden >= kSlowestMode) {
-    cause += fmt::format(
-        " (Springs on which it is slower than {:.2g} Hz are lost in the digits of the matrix.)",
-        hidden);
-  }
 }
 
 void warn_of_rounding(StructureModes& found) {
@@ -270,6 +275,17 @@ void warn_of_slow_modes(StructureModes& found) {
       {"slow_modes", fmt::format("The first mode is at {:.3g} Hz, a period of {:.3g} s. Are the "
                                  "matrices exchanged, or in other units?",
                                  hertz, 1.0 / hertz)});
+}
+
+void warn_of_loose_rows(const AssembledSystem& assembled, StructureModes& found) {
+  const AssembledSystem::LooseRows& loose = assembled.loose_rows;
+  if (loose.count == 0) return;
+  found.warnings.push_back(
+      {"stiffness_rows_missing",
+       fmt::format("The stiffness matrix has no entry at {} degree{} of freedom with mass, the "
+                   "first of them {}, and no joint holds {}. Is its file truncated?",
+                   loose.count, loose.count == 1 ? "" : "s", loose.first,
+                   loose.count == 1 ? "it" : "them")});
 }
 
 void warn_of_search(StructureModes& found) {
@@ -338,11 +354,13 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
   found.modes = static_cast<std::size_t>(modes.eigenvalues.size());
   found.rigid_bodies = modes.rigid_bodies;
   found.rounding = modes.rounding;
+  found.doubtful = modes.doubtful;
   found.residuals.assign(modes.residuals.begin(), modes.residuals.end());
   found.compliances = std::move(compliances);
   found.degrees_of_freedom = static_cast<std::size_t>(assembled.system.size());
   found.summary = modes.summary;
   report_base_masses(assembled, found);
+  warn_of_loose_rows(assembled, found);
   warn_of_rigid_bodies(found);
   warn_of_rounding(found);
   warn_of_statics(found);
@@ -353,4 +371,3 @@ StructureModes compute_structure_modes(const MeshedStructure& structure,
 }
 
 }  // namespace microslip
-  found.doubtful = modes.doubtful;

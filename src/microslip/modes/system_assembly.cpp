@@ -93,6 +93,9 @@ class Transformation {
     return matrix;
   }
 
+  /// Whether a row is a degree of freedom by itself.
+  [[nodiscard]] bool leaves(std::size_t row) const { return !held_[row] && !bound_[row]; }
+
   [[nodiscard]] bool is_trivial() const {
     return bodies_.empty() && std::ranges::none_of(held_, [](bool held) { return held; });
   }
@@ -298,11 +301,32 @@ void add_bases(const MeshRows& rows, const MeshedStructure& structure, const Spa
     assembled.base_masses(b) = motion.dot(assembled.base_loads.col(b));
     assembled.base_motions.col(b) = assembled.points.transpose() * motion;
     assembled.base_mass_missing.push_back(lacks_mass(moved, mass));
-    assembled.base_rows.push_back({moved.moved, moved.strained});
+    double strained = 0.0;
+    for (Index row = 0; row < motion.size(); ++row) {
+      if (!moved.restrained[static_cast<std::size_t>(row)]) continue;
+      strained += motion(row) * assembled.base_loads(row, b);
+    }
+    assembled.base_rows.push_back(
+        {moved.moved, moved.strained, strained / assembled.base_masses(b)});
     if (assembled.base_masses(b) > 0.0) continue;
     throw InputError(fmt::format("base '{}'", base.name), InputState{"without mass"},
                      "must move mass", "Check its direction.");
   }
+}
+
+AssembledSystem::LooseRows loose_rows(const Sparse& stiffness, const Sparse& mass,
+                                      const Sparse& joints, const MeshRows& rows,
+                                      const Transformation& transformation) {
+  const Eigen::VectorXd stiff = stiffness.diagonal();
+  const Eigen::VectorXd heavy = mass.diagonal();
+  const Eigen::VectorXd held = joints.cwiseAbs() * Eigen::VectorXd::Ones(joints.cols());
+  AssembledSystem::LooseRows found;
+  for (Index i = 0; i < stiff.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (stiff(i) > 0.0 || heavy(i) == 0.0 || held(i) > 0.0 || !transformation.leaves(row)) continue;
+    if (found.count++ == 0) found.first = rows.name(row);
+  }
+  return found;
 }
 
 }  // namespace
@@ -336,6 +360,7 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
   AssembledSystem assembled;
   assembled.points = motions_matrix(points, rows.size());
   assembled.joints = motions_matrix(joints, rows.size());
+  assembled.loose_rows = loose_rows(stiffness, mass, assembled.joints, rows, transformation);
   add_bases(rows, structure, stiffness, mass, assembled);
   if (!transformation.is_trivial()) {
     const Sparse matrix = transformation.matrix();
@@ -364,8 +389,8 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
   assembled.system.mass = std::move(mass);
   assembled.system.spring_motions = Sparse(assembled.system.size(), 0);
   assembled.system.stiffness_rounding = structure.matrices.stiffness_rounding;
+  assembled.system.possible_rounding = structure.matrices.possible_rounding;
   return assembled;
 }
 
 }  // namespace microslip
-  assembled.system.possible_rounding = structure.matrices.possible_rounding;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include "microslip/modes/vibrating_system.hpp"
 #include "microslip/structure/meshed_structure.hpp"
@@ -20,12 +23,20 @@ struct AssembledSystem {
   /// For each base: whether rows restrained outside of the matrices, |Tᵀ K r| where it should be 0,
   /// share mass with other degrees of freedom, whose part there is not in the matrices.
   std::vector<bool> base_mass_missing;
-  /// For each base: how many rows move by it, and of how many of them |K r| is not 0.
+  /// For each base: how many rows move by it, of how many of them |K r| is not 0, and the share of
+  /// the latter in rᵀ M r, 1.
   struct MovedRows {
     std::size_t moved;
     std::size_t strained;
+    double strained_mass;
   };
   std::vector<MovedRows> base_rows;
+  /// Rows with mass and without stiffness that no joint, support or rigid spider holds.
+  struct LooseRows {
+    std::size_t count = 0;
+    std::string first = {};  ///< name of the first, "node 9 x"
+  };
+  LooseRows loose_rows = {};
 };
 
 /// @throws InputError  naming what is wrong: matrices that are empty, of different sizes, with
