@@ -121,8 +121,8 @@ OutputTarget checked_target(const std::string& path) {
   return target;
 }
 
-/// Whether a file that the user gave up is of a kind that another may replace: recordings in CSV are
-/// of as many kinds as they have channels.
+/// Whether a file that the user gave up is of a kind that another may replace: recordings in CSV
+/// are of as many kinds as they have channels.
 bool is_given_up(std::string_view old_kind, std::string_view kind, Replacing replacing) {
   constexpr std::string_view kAnyTable = "a table of '";
   return replacing == Replacing::kAny && old_kind.starts_with(kAnyTable) &&
