@@ -120,6 +120,63 @@ TEST(RecordPolarity, DoesNotDependOnOffsets) {
   }
 }
 
+/// A slider of 0.01 N beside a spring that stiffens, along straight lines through values, m.
+ForceRecord stiffening(const std::vector<double>& turns) {
+  ForceRecord record;
+  double u = 0.0;
+  double slider = 0.0;
+  for (const double to : turns) {
+    const double from = u;
+    for (int i = 1; i <= 200; ++i) {
+      const double next = from + (to - from) * i / 200.0;
+      slider = std::clamp(slider + next - u, -0.01, 0.01);
+      u = next;
+      record.displacement.push_back(u);
+      record.force.push_back(u * u * u + 0.02 * u + slider);
+    }
+  }
+  return record;
+}
+
+// Every cycle dissipates, wherever the record ends. A straight line from there to its start does
+// more work than the joint dissipates.
+TEST(RecordPolarity, OfStiffeningJointsDoesNotDependOnTheEnd) {
+  for (const std::vector<double>& turns :
+       {std::vector<double>{1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0},
+        {1.0, -1.0, 1.0, -1.0, 0.6},
+        {1.0, 0.5},
+        {1.0, 0.2, 1.2, 0.4, 1.4},
+        {1.0}}) {
+    const ForceRecord record = stiffening(turns);
+    EXPECT_EQ(refusal(record), "taken") << turns.size();
+    test::expect_message(refusal(opposite(record)), "sign of one channel");
+  }
+}
+
+/// Of a spring, by an angle late in each cycle; it rests at its last top for so long.
+ForceRecord late_spring(double angle, int hold) {
+  constexpr int kTop = 1963;  // of the seventh cycle
+  ForceRecord record;
+  for (int i = 0; i <= kTop + hold; ++i) {
+    const double phase = 0.02 * std::min(i, kTop);
+    record.displacement.push_back(std::sin(phase));
+    record.force.push_back(std::sin(phase - angle));
+  }
+  return record;
+}
+
+// A record of which the force lags behind the displacement gives energy, W = −π F₀u₀ sin φ a cycle.
+TEST(RecordPolarity, OfALateForceIsNamed) {
+  test::expect_message(refusal(late_spring(0.3, 0)), "the force may lag behind the displacement");
+}
+
+// 1.5 % of the work exchanged, 2 F₀u₀ a cycle: about the force of the rest it would be twice that.
+TEST(RecordPolarity, IsMeasuredByThePath) {
+  for (const int hold : {0, 20'000}) {
+    test::expect_message(refusal(late_spring(0.0095, hold)), "work over the record, J = -");
+  }
+}
+
 TEST(RecordPolarity, IsThatOfTheSpringWithoutWork) {
   EXPECT_EQ(refusal(spring(5.0)), "taken");
   test::expect_message(refusal(spring(-5.0)), "sign of one channel");
