@@ -25,6 +25,7 @@ int run_of_modes(const RingdownArguments& arguments, const Call& call) {
   check_output(arguments.out, kModalLevelsKind);
   ModalDecayReduction options = modal_decay_options(arguments);
   options.reading.progress = progress_bar("reading", call.quiet);
+  options.progress = progress_bar("modes", call.quiet);
   const ReducedModalDecay reduced = reduce_modal_decay(options);
   write_file(arguments.out, modal_levels_text(reduced, call.command_line));
   if (!call.quiet) {

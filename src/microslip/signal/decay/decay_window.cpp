@@ -6,10 +6,12 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "microslip/algebra/cholesky.hpp"
 #include "microslip/signal/decay/tapered_transform.hpp"
+#include "microslip/signal/decay/window_nodes.hpp"
 
 namespace microslip {
 namespace {
@@ -37,38 +39,70 @@ LogRatio log_ratio(double q) {
   return {log / q, (q / (1.0 + q) - log) / (q * q)};
 }
 
-/// The model at s = τ/h and its derivatives.
-double model(const Parameters& p, double s, Parameters& slope) {
+/// The model at s = τ/h less a phase that turns with the carrier, and the derivatives of its real
+/// and its imaginary part.
+struct ModelValue {
+  std::complex<double> value;
+  Parameters real;
+  Parameters imaginary;
+};
+
+/// @param carrier  ω₀h
+void model(const Parameters& p, double s, double carrier, ModelValue& at) {
   const double move = p[1] * s;
   const LogRatio log = log_ratio(p[kExponent] * move);
   const double envelope = std::exp(p[0] - move * log.value);
-  const double phase = p[3] + s * (p[4] + s * (p[5] / 2.0 + s * p[6] / 6.0));
-  const double y = envelope * std::cos(phase);
-  const double quadrature = -envelope * std::sin(phase);
-  slope << y, -y * s / (1.0 + p[kExponent] * move), -y * move * move * log.slope, quadrature,
-      quadrature * s, quadrature * s * s / 2.0, quadrature * s * s * s / 6.0;
-  return y;
+  const double phase = p[3] + s * (p[4] - carrier + s * (p[5] / 2.0 + s * p[6] / 6.0));
+  const double x = envelope * std::cos(phase);
+  const double y = envelope * std::sin(phase);
+  const double by_decay = -s / (1.0 + p[kExponent] * move);
+  const double by_exponent = -move * move * log.slope;
+  at.value = {x, y};
+  at.real << x, x * by_decay, x * by_exponent, -y, -y * s, -y * s * s / 2.0, -y * s * s * s / 6.0;
+  at.imaginary << y, y * by_decay, y * by_exponent, x, x * s, x * s * s / 2.0, x * s * s * s / 6.0;
 }
 
-/// The samples of a window, over an amplitude that makes them of order 1.
+/// The values of a window, over an amplitude that makes them of order 1.
 class Samples {
  public:
-  Samples(const TaperedWindow& window, double scale)
-      : window_(window), scale_(1.0 / scale), slopes_(Parameters::Zero()) {}
+  Samples(const WindowNodes& nodes, double scale)
+      : nodes_(nodes),
+        scale_(1.0 / scale),
+        carrier_(0.5 * nodes.carrier() * nodes.length()),
+        model_{0.0, Parameters::Zero(), Parameters::Zero()} {}
 
-  /// Calls visit(weight, residual, slopes) for each sample.
+  /// Calls visit(weight, residual, slopes) for each real number.
   template <typename Visit>
   void visit(const Parameters& p, const Visit& visit) {
-    for (std::size_t i = 0; i < window_.size(); ++i) {
-      const double y = model(p, window_.place(i), slopes_);
-      visit(window_.weight(i), window_.value(i) * scale_ - y, slopes_);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      model(p, nodes_.place(i), carrier_, model_);
+      const std::complex<double> value = nodes_.value(i) * scale_;
+      visit(nodes_.weight(i), value.real() - model_.value.real(), model_.real);
+      if (!nodes_.is_complex()) continue;
+      visit(nodes_.weight(i), value.imag() - model_.value.imag(), model_.imaginary);
     }
   }
 
+  /// Residual of the fit at the nodes, in the unit of the signal.
+  [[nodiscard]] std::vector<std::complex<double>> residual(const Parameters& p) {
+    std::vector<std::complex<double>> residual(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      model(p, nodes_.place(i), carrier_, model_);
+      const std::complex<double> modelled =
+          nodes_.is_complex() ? model_.value : std::complex<double>(model_.value.real());
+      residual[i] = nodes_.value(i) - modelled / scale_;
+    }
+    return residual;
+  }
+
+  /// Samples of white noise that one of the real numbers stands for.
+  [[nodiscard]] double samples() const { return nodes_.samples(); }
+
  private:
-  const TaperedWindow& window_;
+  const WindowNodes& nodes_;
   double scale_;
-  Parameters slopes_;
+  double carrier_;
+  ModelValue model_;
 };
 
 struct NormalEquations {
@@ -184,18 +218,18 @@ Matrix covariance_of(Samples& samples, const Parameters& p) {
   const Matrix scaled = scale.asDiagonal() * h * scale.asDiagonal();
   const Matrix inverse =
       scale.asDiagonal() * scaled.ldlt().solve(Matrix::Identity()) * scale.asDiagonal();
-  return inverse * b * inverse.transpose();
+  return inverse * b * inverse.transpose() / samples.samples();
 }
 
 /// Amplitude, frequency and decay of the two halves, as a start.
-Parameters start(const TaperedWindow& window, double scale, double omega) {
-  const double h = window.length() / 2.0;
-  const std::complex<double> first = window.half(0).transform(omega);
-  const std::complex<double> second = window.half(1).transform(omega);
-  const std::complex<double> whole = window.transform(omega);
-  // The halves' centres lie h apart; each transform has its phase at its own centre, so the phase
-  // that ω itself adds between them is subtracted.
-  const double turn = std::arg(second * std::conj(first) * std::polar(1.0, -omega * h));
+Parameters start(const WindowNodes& nodes, double scale) {
+  const double h = nodes.length() / 2.0;
+  const double omega = nodes.strongest();
+  const std::complex<double> first = nodes.half_transform(0, omega);
+  const std::complex<double> second = nodes.half_transform(1, omega);
+  const std::complex<double> whole = nodes.transform(nodes.values(), omega);
+  // The halves' centres lie h apart.
+  const double turn = std::arg(second * std::conj(first));
   const double ratio = std::abs(first) / std::max(std::abs(second), 1e-300);
   Parameters p;
   p << std::log(std::max(2.0 * std::abs(whole) / scale, 1e-300)),
@@ -205,9 +239,42 @@ Parameters start(const TaperedWindow& window, double scale, double omega) {
   return p;
 }
 
+/// What a fit leaves of a window.
+class Residual {
+ public:
+  Residual(const TaperedWindow& window, const WindowNodes& nodes,
+           std::vector<std::complex<double>> values)
+      : window_(window), nodes_(nodes), values_(std::move(values)) {}
+
+  /// Far from the mode, where the nodes do not reach, the taper has suppressed the mode itself.
+  [[nodiscard]] std::complex<double> transform(double omega) const {
+    return nodes_.holds(omega) ? nodes_.transform(values_, omega) : window_.transform(omega);
+  }
+  [[nodiscard]] double noise_gain() const { return window_.noise_gain(); }
+  /// Variance of a sample by all that the fit leaves, other modes included, over its degrees of
+  /// freedom; infinite where it has none left.
+  [[nodiscard]] double mean_square() const {
+    const double freedom = 1.0 - kParameters * noise_gain();
+    if (!(freedom > 0.0)) return HUGE_VAL;
+    double squares = 0.0;
+    double weights = 0.0;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      squares += nodes_.weight(i) * std::norm(values_[i]);
+      weights += nodes_.weight(i);
+    }
+    return squares / weights / freedom;
+  }
+  [[nodiscard]] double length() const { return window_.length(); }
+
+ private:
+  const TaperedWindow& window_;
+  const WindowNodes& nodes_;
+  std::vector<std::complex<double>> values_;
+};
+
 /// Mean square of the noise from the residual beside the mode, outside of the fit and of known
 /// modes. The lower quartile keeps unknown ones among the lines from counting.
-double noise_beside(const TaperedWindow& residual, double rate, double omega,
+double noise_beside(const Residual& residual, double rate, double omega,
                     std::span<const SpectralPeak> others) {
   constexpr double kNear = 3.5;  // lines: where the taper lets another mode through
   const double line = 2.0 * std::numbers::pi / residual.length();
@@ -223,7 +290,9 @@ double noise_beside(const TaperedWindow& residual, double rate, double omega,
       if (usable(at)) power.push_back(std::norm(residual.transform(at)));
     }
   }
-  if (power.empty()) return others.empty() ? 0.0 : noise_beside(residual, rate, omega, {});
+  if (power.empty()) {
+    return others.empty() ? residual.mean_square() : noise_beside(residual, rate, omega, {});
+  }
   const std::size_t rank = power.size() / 4;
   std::ranges::nth_element(power, power.begin() + static_cast<std::ptrdiff_t>(rank));
   // Mean of that order statistic of as many exponential variables of mean 1.
@@ -232,7 +301,7 @@ double noise_beside(const TaperedWindow& residual, double rate, double omega,
   return power[rank] / mean / residual.noise_gain();
 }
 
-std::vector<BesideMode> modes_beside(const TaperedWindow& residual, const DecayWindow& found,
+std::vector<BesideMode> modes_beside(const Residual& residual, const DecayWindow& found,
                                      std::span<const SpectralPeak> others) {
   constexpr double kMeasurable = 4.0;  // lines
   const double two_pi = 2.0 * std::numbers::pi;
@@ -246,16 +315,6 @@ std::vector<BesideMode> modes_beside(const TaperedWindow& residual, const DecayW
   return beside;
 }
 
-/// Residual of the fit.
-std::vector<double> residual_of(const TaperedWindow& window, const Parameters& p, double scale) {
-  std::vector<double> residual(window.size());
-  Parameters unused;
-  for (std::size_t i = 0; i < window.size(); ++i) {
-    residual[i] = window.value(i) - scale * model(p, window.place(i), unused);
-  }
-  return residual;
-}
-
 }  // namespace
 
 double relative_leakage(const DecayWindow& window) {
@@ -267,6 +326,7 @@ namespace {
 /// The fitted parameters of a window.
 struct WindowFit {
   TaperedWindow window;
+  WindowNodes nodes;
   double scale;
   Parameters p;
   DecayWindow found;
@@ -274,15 +334,18 @@ struct WindowFit {
 
 std::optional<WindowFit> fit_parameters(std::span<const double> signal, double rate, double centre,
                                         double length, double from, double to) {
-  WindowFit fit{.window = TaperedWindow(signal, rate, centre, length),
-                .scale = 0.0,
+  const double two_pi = 2.0 * std::numbers::pi;
+  const TaperedWindow window(signal, rate, centre, length);
+  WindowFit fit{.window = window,
+                .nodes = WindowNodes(window, two_pi * from, two_pi * to),
+                .scale = window.largest(),
                 .p = Parameters::Zero(),
                 .found = {}};
-  fit.scale = fit.window.largest();
-  if (!(fit.scale > 0.0)) return std::nullopt;
-  const double two_pi = 2.0 * std::numbers::pi;
-  Samples samples(fit.window, fit.scale);
-  fit.p = start(fit.window, fit.scale, fit.window.strongest(two_pi * from, two_pi * to));
+  // Of fewer samples the model explains the noise, too.
+  constexpr std::size_t kFewestSamples = 3 * kParameters;
+  if (!(fit.scale > 0.0) || window.size() < kFewestSamples) return std::nullopt;
+  Samples samples(fit.nodes, fit.scale);
+  fit.p = start(fit.nodes, fit.scale);
   if (!minimise(samples, fit.p)) return std::nullopt;
   const double h = length / 2.0;
   fit.found = {.centre = centre,
@@ -295,7 +358,8 @@ std::optional<WindowFit> fit_parameters(std::span<const double> signal, double r
                .beside = {}};
   const double line = two_pi / length;
   const double omega = fit.found.omega;
-  if (!(omega > two_pi * from - line && omega < two_pi * to + line)) return std::nullopt;
+  const double highest = std::min(two_pi * to + line, std::numbers::pi * rate);
+  if (!(omega > two_pi * from - line && omega < highest)) return std::nullopt;
   if (!std::isfinite(fit.found.amplitude)) return std::nullopt;
   return fit;
 }
@@ -316,7 +380,7 @@ std::optional<DecayWindow> fit_decay_window(std::span<const double> signal, doub
   if (!fit) return std::nullopt;
   DecayWindow& found = fit->found;
   const double h = length / 2.0;
-  Samples samples(fit->window, fit->scale);
+  Samples samples(fit->nodes, fit->scale);
   const Eigen::Vector4d unit(1.0, 1.0 / h, 1.0 / h, 1.0 / (h * h));
   const Matrix all = covariance_of(samples, fit->p) / (fit->scale * fit->scale);
   constexpr int kKept[] = {0, 1, 4, 5};
@@ -324,8 +388,7 @@ std::optional<DecayWindow> fit_decay_window(std::span<const double> signal, doub
     for (int j = 0; j < 4; ++j)
       found.covariance(i, j) = unit[i] * all(kKept[i], kKept[j]) * unit[j];
   }
-  const std::vector<double> rest = residual_of(fit->window, fit->p, fit->scale);
-  const TaperedWindow residual = fit->window.with_values(rest);
+  const Residual residual(fit->window, fit->nodes, samples.residual(fit->p));
   found.noise_variance = noise_beside(residual, rate, found.omega, others);
   found.beside = modes_beside(residual, found, others);
   if (!found.covariance.allFinite()) return std::nullopt;

@@ -87,7 +87,7 @@ Eigen::VectorXcd OscillationFit::second(double omega, double decay) const {
   for (Complex& each : history) {
     each = value;
     value *= step;
-    if (std::abs(value) > kLargest) value = kLargest;
+    if (std::norm(value) > kLargest * kLargest) value = kLargest;
   }
   return history;
 }

@@ -75,15 +75,4 @@ double TaperedWindow::strongest(double from, double to) const {
   return best;
 }
 
-TaperedWindow TaperedWindow::half(int which) const {
-  const double offset = -first_ * length_ / 2.0;  // of the centre from the first sample
-  return {values_, rate_, offset + (which == 0 ? -0.25 : 0.25) * length_, 0.5 * length_};
-}
-
-TaperedWindow TaperedWindow::with_values(std::span<const double> values) const {
-  TaperedWindow other = *this;
-  other.values_ = values;
-  return other;
-}
-
 }  // namespace microslip

@@ -45,12 +45,6 @@ class TaperedWindow {
   /// The frequency of the largest transform in a range, to T⁻¹/8. rad/s.
   [[nodiscard]] double strongest(double from, double to) const;
 
-  /// The first (0) or second (1) half under a taper of its own.
-  [[nodiscard]] TaperedWindow half(int which) const;
-
-  /// This window over other values. @param values  as many as it has.
-  [[nodiscard]] TaperedWindow with_values(std::span<const double> values) const;
-
  private:
   std::span<const double> values_;
   double length_;

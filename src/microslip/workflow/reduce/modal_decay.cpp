@@ -222,7 +222,7 @@ std::vector<FollowedMode> follow_modes(const ModalDecayReduction& options,
                                        const std::vector<SoughtMode>& sought) {
   std::vector<std::optional<FollowedMode>> found(sought.size());
   std::vector<std::exception_ptr> faults(sought.size());
-  Execution::threads().for_each(sought.size(), [&](std::size_t i) {
+  const auto follow = [&](std::size_t i) {
     SoughtMode mode = sought[i];
     if (!is_asked_for(options, mode.number) && mode.channels.size() > 1) mode.channels.resize(1);
     try {
@@ -230,7 +230,8 @@ std::vector<FollowedMode> follow_modes(const ModalDecayReduction& options,
     } catch (const InputError&) {
       faults[i] = std::current_exception();
     }
-  });
+  };
+  Execution::threads().for_each(sought.size(), follow, options.progress);
   std::vector<FollowedMode> followed;
   for (std::size_t i = 0; i < sought.size(); ++i) {
     const bool must = std::ranges::count(options.modes, sought[i].number) > 0;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/base/progress.hpp"
 #include "microslip/base/summary.hpp"
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/io/recordings/recordings.hpp"
@@ -31,6 +32,7 @@ struct ModalDecayReduction {
   std::vector<std::size_t> modes = {};
   RingDownOptions analysis = {};      ///< of each mode; with a model it says where they are
   RecordingReadOptions reading = {};  ///< of the recording
+  Progress progress = {};             ///< of the modes of a model, one piece each
 };
 
 /// The decay of one mode.
