@@ -770,6 +770,48 @@ TEST(RingDown, RefusesWhatIsNoDecay) {
   expect_signal_refused(broken, {"sample 8", "must be finite"});
 }
 
+// Above 0.45 of the sampling rate a mode and its mirror image, as far above half of the rate as the
+// mode is below, are less than six lines of the shortest window apart.
+TEST(RingDown, RefusesAModeNearHalfOfTheSamplingRate) {
+  constexpr double kCoarse = 100.0;  // Hz
+  for (const double frequency : {46.0, 48.5, 52.0}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const ViscousMode mode{.frequency = frequency, .phase = static_cast<double>(seed)};
+      const std::vector<double> signal = with_noise(sampled({mode}, 2, kCoarse, 4.0), 0.01, seed);
+      expect_refused([&] { (void)ring_down(signal, kCoarse, kAcceleration); },
+                     {"at most 45 Hz", "sampling rate of 100 Hz", "Record with"});
+      expect_refused([&] { (void)ring_down(signal, kCoarse, kAcceleration, {.frequency = 44.5}); },
+                     {"45 Hz", "Record with"});
+    }
+  }
+}
+
+// Up to there levels lie below half of the sampling rate and have a standard deviation, also where
+// no line beside the mode is left to take the noise from.
+TEST(RingDown, KnowsItsErrorsWithFewSamplesAPeriod) {
+  constexpr double kCoarse = 100.0;  // Hz
+  std::size_t levels = 0;
+  for (const double frequency : {38.0, 43.0, 44.5}) {
+    for (const double damping : {0.01, 0.03}) {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const ViscousMode mode{
+            .frequency = frequency, .damping_ratio = damping, .phase = static_cast<double>(seed)};
+        const RingDown decay = ring_down(with_noise(sampled({mode}, 2, kCoarse, 3.0), 0.01, seed),
+                                         kCoarse, kAcceleration);
+        for (std::size_t i = 0; i < decay.size(); ++i) {
+          EXPECT_LT(decay.frequency[i], 0.5 * kCoarse);
+          EXPECT_GT(decay.damping_ratio_std[i], 1e-4 * damping);
+          // Noise alone exceeds five standard deviations once in a million.
+          EXPECT_NEAR(decay.damping_ratio[i], damping, 5.0 * decay.damping_ratio_std[i])
+              << frequency << " Hz, " << damping << ", " << seed;
+          ++levels;
+        }
+      }
+    }
+  }
+  EXPECT_GE(levels, 18U);
+}
+
 TEST(RingDown, RefusesOptionsOutOfRange) {
   const std::vector<double> good = sampled({ViscousMode{}}, 0, kRate, 2.0);
   expect_signal_refused(good, {"frequency", "above 0"}, {.frequency = -1.0});

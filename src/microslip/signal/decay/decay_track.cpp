@@ -29,11 +29,31 @@ void check_positive(std::string_view name, double value, double most) {
   throw InputError(name, value, fmt::format("must be above 0 and at most {:g}", most));
 }
 
+/// Of a mode near half of the sampling rate the samples show the mirror image too, at the rate less
+/// its frequency, and of one above it this image alone.
+[[noreturn]] void throw_coarse(std::string_view name, double frequency, double rate) {
+  constexpr double kComfortable = 2.5;
+  throw InputError(
+      name, fmt::format("{:.5g} Hz", frequency),
+      fmt::format("must be at most {:.5g} Hz, {:g} of the sampling rate of {:.5g} Hz: nearer to "
+                  "half of it a mode and its mirror image are one",
+                  kHighest * rate, kHighest, rate),
+      fmt::format("Record with {:.3g} Hz or more and a filter against aliasing, or give the "
+                  "frequency of a lower mode.",
+                  kComfortable * frequency));
+}
+
 void check_options(const RingDownOptions& options, double rate) {
   if (!(rate > 0.0 && std::isfinite(rate))) {
     throw InputError("sampling rate", rate, "must be above 0 Hz and finite");
   }
-  if (options.frequency) check_positive("frequency", *options.frequency, kHighest * rate);
+  if (options.frequency) {
+    const double frequency = *options.frequency;
+    if (std::isfinite(frequency) && frequency > kHighest * rate) {
+      throw_coarse("frequency", frequency, rate);
+    }
+    check_positive("frequency", frequency, kHighest * rate);
+  }
   if (options.band) {
     const auto [low, high] = *options.band;
     if (!(low > 0.0 && low < high && high <= 0.5 * rate)) {
@@ -107,7 +127,7 @@ std::pair<double, double> search_range(double lowest, double rate, const RingDow
   double to = kHighest * rate;
   if (options.frequency) {
     from = (1.0 - kSearch) * *options.frequency;
-    to = (1.0 + kSearch) * *options.frequency;
+    to = std::min((1.0 + kSearch) * *options.frequency, 0.5 * rate);
   }
   if (options.band) {
     from = std::max(options.frequency ? from : 0.0, options.band->first);
@@ -144,6 +164,18 @@ std::string highest_peak_text(std::span<const SpectralPeak> peaks) {
                      std::ranges::max_element(peaks, {}, &SpectralPeak::height)->frequency);
 }
 
+/// Refuses a peak above the range where modes are followed, and the edge of the range, where the
+/// spectrum rises beyond it.
+void check_sampled(std::span<const double> signal, double rate, double frequency,
+                   std::pair<double, double> range) {
+  const double highest = kHighest * rate;
+  if (frequency > highest) throw_coarse("peak of the spectrum", frequency, rate);
+  const double line = rate / static_cast<double>(signal.size());
+  if (range.second < highest || frequency < highest - line) return;
+  const double beyond = find_mode(signal, rate, frequency, 0.5 * rate);
+  if (beyond > frequency) throw_coarse("peak of the spectrum", beyond, rate);
+}
+
 /// The peak where the options let the mode be; without a frequency the highest line.
 double choose_frequency(std::span<const double> signal, double rate, const RingDownOptions& options,
                         std::span<const SpectralPeak> peaks) {
@@ -153,6 +185,7 @@ double choose_frequency(std::span<const double> signal, double rate, const RingD
   const auto range = search_range(lowest, rate, options);
   const double frequency = options.frequency ? nearest_peak(peaks, range, *options.frequency)
                                              : find_mode(signal, rate, range.first, range.second);
+  check_sampled(signal, rate, frequency, range);
   if (!(frequency > 0.0)) {
     throw InputError(
         "range of frequencies", fmt::format("{:g} to {:g} Hz", range.first, range.second),
@@ -261,7 +294,7 @@ void set_task(DecayTrack& track, double rate, int derivatives, const RingDownOpt
   separation = separation_of(f, neighbours, options);
   const double reach = std::min(separation / 2.0, kWidest * f);
   task.lowest = f - reach;
-  task.highest = f + reach;
+  task.highest = std::min(f + reach, 0.5 * rate);
   task.others = neighbours.peaks;
   // Over the examined stretch the mode falls by e^1.8.
   task.first_length =
