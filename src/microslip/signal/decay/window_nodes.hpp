@@ -18,12 +18,12 @@
 ///     Σ_i w_i y_i e^{−iω₀τ_i} m*(τ_i) = Σ_k V_k m*(τ_k)
 ///     V_k = Σ_i L_k(τ_i) w_i y_i e^{−iω₀τ_i}
 ///
-/// so that the N values z_k = 2V_k N/(n w_k) stand for n samples: the samples of the window, brought
+/// so that the N values z_k = 2V_k N/(n w_k) stand for n samples: those of the window, brought
 /// to the frequency 0 and filtered by the polynomials. What turns x times between two nodes is off
 /// by 10⁻³(2πx)⁸: beside the mode by 10⁻⁸. The squares of m are left without the term of 2ω₀, which
-/// the taper suppresses over d = 2ω₀T/2π lines as a neighbour by side_lobe(d); with 40 lines or more
-/// it moves δT by 3·10⁻⁷ at most. With fewer periods the nodes are those of the signal as it is,
-/// ω₀ = 0 and real.
+/// the taper suppresses over d = 2ω₀T/2π lines as a neighbour by side_lobe(d); with 40 lines or
+/// more it moves δT by 3·10⁻⁷ at most. With fewer periods the nodes are those of the signal as it
+/// is, ω₀ = 0 and real.
 
 namespace microslip {
 
