@@ -207,34 +207,6 @@ TEST(PathRows, TurnAtCornersBetweenSamples) {
   EXPECT_EQ(samples, path.size());
 }
 
-// The way goes up to the extremum of a rounded corner, here with a slope beside it: slopes of 1.5
-// and −0.5 turn where erf(t/(√2 s)) = 0.5, which is t = 0.67449 s.
-TEST(PathRows, TurnAtTheExtremumOfRoundedCorners) {
-  PathCorner corner{50.3, -2.0, 1.5};
-  std::vector<double> path;
-  for (int i = 0; i <= 120; ++i) path.push_back(0.5 * i + corner.part(i - corner.at));
-  const double t = 0.6744897501960817 * corner.rounding;
-  const double top = 0.5 * (corner.at + t) + corner.part(t);
-  const PathRows rows = path_rows(path, path, PathStart::kVirgin, 0.0, kAllRows, {corner});
-  ASSERT_EQ(rows.turns.size(), 2U);
-  ASSERT_EQ(rows.turns[1].size(), 1U);
-  EXPECT_NEAR(rows.turns[1][0].half_range, top - path.front(), 1e-9);
-}
-
-// On a plateau of equal samples the turn is where the path ends its direction: a corner beneath the
-// plateau is none of it.
-TEST(PathRows, HoldPlateausTogether) {
-  std::vector<double> path;
-  for (int i = 0; i <= 50; ++i) path.push_back(i);
-  for (int i = 0; i < 5; ++i) path.push_back(50.0);
-  for (int i = 49; i >= 0; --i) path.push_back(i);
-  for (const double at : {49.6, 50.4, 51.5, 53.2, 54.5}) {
-    const PathRows rows =
-        path_rows(path, path, PathStart::kVirgin, 0.0, kAllRows, {{at, -0.1, 0.0}});
-    EXPECT_GE(rows.reach, 50.0) << at;
-  }
-}
-
 TEST(PathRows, HoldSmallTurnsTogether) {
   // A rise of 100 with turns of 1 on it.
   std::vector<double> path;

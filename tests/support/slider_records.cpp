@@ -56,21 +56,6 @@ std::vector<double> path_of(Motion motion, std::size_t per_cycle) {
   return std::move(path).take();
 }
 
-/// Means over `width` steps, with the ends of the path beyond them.
-std::vector<double> mean_over(const std::vector<double>& path, std::size_t width) {
-  const std::size_t half = width / 2;
-  std::vector<double> sum = {0.0};
-  for (std::size_t i = 0; i < path.size() + 2 * half; ++i) {
-    const std::size_t place = std::clamp(i, half, half + path.size() - 1) - half;
-    sum.push_back(sum.back() + path[place]);
-  }
-  std::vector<double> mean;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    mean.push_back((sum[i + 2 * half + 1] - sum[i]) / static_cast<double>(2 * half + 1));
-  }
-  return mean;
-}
-
 }  // namespace
 
 std::vector<double> Sliders::forces_on(const std::vector<double>& path) const {
@@ -120,11 +105,7 @@ std::vector<Sliders> all_sliders() {
 }
 
 ForceRecord record_of(const Sliders& sliders, Motion motion, const SliderRecord& how) {
-  std::vector<double> path = path_of(motion, how.per_cycle);
-  if (how.rounding > 0) {
-    path.insert(path.begin(), how.rounding, 0.0);  // a rest, which the means leave at 0
-    path = mean_over(mean_over(path, how.rounding), how.rounding);
-  }
+  const std::vector<double> path = path_of(motion, how.per_cycle);
   const std::vector<double> force = sliders.forces_on(path);
   const auto [low, high] = std::ranges::minmax(force);
   RandomStream random(how.seed, 79);

@@ -48,7 +48,6 @@ inline constexpr Motion kConstantSpeed[] = {Motion::kTriangles, Motion::kGrowing
 struct SliderRecord {
   std::size_t per_cycle = 400;  ///< samples
   std::size_t between = 5;      ///< sixteenths of a sample from a turn to the next sample, 0 to 15
-  std::size_t rounding = 0;     ///< the motion is a mean over so many sixteenths, twice; even
   double path_noise = 0.0;      ///< standard deviation, over A
   double force_noise = 0.0;     ///< over the largest force
   std::uint64_t seed = 1;

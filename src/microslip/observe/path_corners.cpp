@@ -23,35 +23,17 @@ constexpr double kSignificant = 40.0;
 /// In the window in which it is seen it leaves less than this share of what a smooth path does.
 constexpr double kClearly = 1.0 / 3.0;
 /// In the end it leaves the noise, to this factor of the variance, or this share and, as root of
-/// the sum of squares, less than this share of what the velocity changes in a sample. Where it
-/// leaves the noise the latter holds beside its place, or so many variances: seven samples of noise
-/// have them with a chance of 1e-4.
+/// the sum of squares, less than this share of what the velocity changes in a sample: a corner that
+/// is rounded over a sample leaves a quarter of it.
 constexpr double kNoiseAlone = 2.0;
 constexpr double kShareLeft = 1e-2;
-constexpr double kClose = 0.05;
-constexpr double kNoiseBeside = 30.0;
-/// Samples on either side of the corner that are beside it.
-constexpr double kBeside = 3.5;
-/// Standard deviations of the means that round corners, samples: below the first a corner is as
-/// good as sharp, beyond the second it is part of the smooth path.
-constexpr double kLeastRounding = 0.2;
-constexpr double kMostRounding = 3.0;
-constexpr int kStepsOfRounding = 16;
-/// Samples that a rounded corner needs: twice as many as coefficients, nearly.
-constexpr std::size_t kFewestRounded = 13;
+constexpr double kSharp = 0.05;
 /// Samples on each side of a corner that its place is found from.
 constexpr std::size_t kFewestBeside = 4;
 constexpr int kSteps = 6;
 constexpr double kLeastReach = 16.0;
 /// Share of its reach over which the part of a corner is not faded.
 constexpr double kNotFaded = 0.25;
-
-/// |t| as the mean over normal deviations of t.
-double rounded_modulus(double t, double deviation) {
-  if (std::abs(t) >= 8.0 * deviation) return std::abs(t);
-  const double x = t / (std::numbers::sqrt2 * deviation);
-  return t * std::erf(x) + deviation * std::sqrt(2.0 / std::numbers::pi) * std::exp(-x * x);
-}
 
 /// Standard deviation by the median of differences of an order.
 double by_differences(std::span<const double> path, int order) {
@@ -221,123 +203,43 @@ Fitted fit(std::span<const double> path, std::size_t from, std::size_t to, Eigen
   return found;
 }
 
-/// Fits of corners to the samples of a window: a cubic with a corner.
-class CornerWindow {
- public:
-  CornerWindow(std::span<const double> path, std::size_t from, std::size_t to)
-      : path_(path),
-        from_(from),
-        to_(to),
-        centre_(0.5 * static_cast<double>(from + to - 1)),
-        half_(0.5 * static_cast<double>(to - from)) {}
-
-  /// A corner with what it leaves.
-  struct Found {
-    PathCorner corner;
-    double left = 0.0;    ///< sum of squares
-    double beside = 0.0;  ///< of it the part of the samples beside the corner
-  };
-
-  [[nodiscard]] std::size_t size() const { return to_ - from_; }
-
-  /// A sharp corner near a place.
-  [[nodiscard]] std::optional<Found> sharp(double at) const {
-    // |t − at| is linear in a change of `at`, but for samples that change sides.
-    for (int step = 0; step < kSteps; ++step) {
-      const Fitted with = fit(path_, from_, to_, 6, [&](double i, Eigen::VectorXd& one) {
-        powers(i, 4, one);
-        one(4) = std::abs(i - at) / half_;
-        one(5) = i > at ? 1.0 : -1.0;
-      });
-      const double by = -with.coefficients(5) * half_ / with.coefficients(4);
-      if (!std::isfinite(by)) return {};
-      at = inside(at + by);
-      if (std::abs(by) < 1e-9) break;
-    }
-    return at_place(at, 0.0);
-  }
-
-  /// A rounded corner near a place [Gauss–Newton in the place and the variance of the rounding, of
-  /// which the derivative is half the second one along the path].
-  [[nodiscard]] std::optional<Found> rounded(double at) const {
-    double variance = 1.0;
-    for (int step = 0; step < kStepsOfRounding; ++step) {
-      const double rounding = std::sqrt(variance);
-      const Fitted with = fit(path_, from_, to_, 7, [&](double i, Eigen::VectorXd& one) {
-        powers(i, 4, one);
-        const double t = (i - at) / rounding;
-        one(4) = rounded_modulus(i - at, rounding) / half_;
-        one(5) = std::erf(t / std::numbers::sqrt2);
-        one(6) = std::exp(-0.5 * t * t) / (rounding * std::sqrt(2.0 * std::numbers::pi));
-      });
-      const double by = -with.coefficients(5) * half_ / with.coefficients(4);
-      const double wider = with.coefficients(6) * half_ / with.coefficients(4);
-      if (!std::isfinite(by) || !std::isfinite(wider)) return {};
-      at = inside(at + std::clamp(by, -rounding, rounding));
-      const double next = std::clamp(variance + wider, 0.25 * variance, 4.0 * variance);
-      variance = std::clamp(next, kLeastRounding * kLeastRounding, kMostRounding * kMostRounding);
-      if (std::abs(by) < 1e-9 && std::abs(wider) < 1e-9) break;
-    }
-    return at_place(at, std::sqrt(variance));
-  }
-
-  /// Sum of squares that a smooth path leaves, with as many coefficients.
-  [[nodiscard]] double smooth() const {
-    return fit(path_, from_, to_, 6, [&](double i, Eigen::VectorXd& one) { powers(i, 6, one); })
-        .left;
-  }
-
- private:
-  void powers(double i, Eigen::Index count, Eigen::VectorXd& one) const {
-    double power = 1.0;
-    for (Eigen::Index j = 0; j < count; ++j, power *= (i - centre_) / half_) one(j) = power;
-  }
-
-  [[nodiscard]] double inside(double at) const {
-    return std::clamp(at, static_cast<double>(from_) + 1.0, static_cast<double>(to_) - 2.0);
-  }
-
-  [[nodiscard]] Found at_place(double at, double rounding) const {
-    const auto row = [&](double i, Eigen::VectorXd& one) {
-      powers(i, 4, one);
-      one(4) = rounded_modulus(i - at, rounding) / half_;
-    };
-    const Fitted with = fit(path_, from_, to_, 5, row);
-    Found found{{at, 2.0 * with.coefficients(4) / half_, rounding}, with.left};
-    const auto first = static_cast<std::size_t>(std::ceil(std::max(0.0, at - kBeside)));
-    const auto last = static_cast<std::size_t>(at + kBeside);
-    Eigen::VectorXd one(5);
-    for (std::size_t i = std::max(from_, first); i < std::min(to_, last + 1); ++i) {
-      row(static_cast<double>(i), one);
-      const double left = path_[i] - path_[(from_ + to_) / 2] - one.dot(with.coefficients);
-      found.beside += left * left;
-    }
-    return found;
-  }
-
-  std::span<const double> path_;
-  std::size_t from_;
-  std::size_t to_;
-  double centre_;
-  double half_;
-};
-
 /// The corner near `at` by the samples of a window, where there is one.
-std::optional<PathCorner> corner_of(const CornerWindow& window, double at, double variance) {
-  auto found = window.sharp(at);
-  if (!found) return {};
-  if (found->beside > kNoiseBeside * variance && window.size() >= kFewestRounded) {
-    const auto rounded = window.rounded(found->corner.at);
-    if (rounded && rounded->left < found->left) found = rounded;
+std::optional<PathCorner> corner_of(std::span<const double> path, double at, std::size_t from,
+                                    std::size_t to, double variance) {
+  const double centre = 0.5 * static_cast<double>(from + to - 1);
+  const double half = 0.5 * static_cast<double>(to - from);
+  const auto powers = [&](double i, Eigen::Index count, Eigen::VectorXd& one) {
+    double power = 1.0;
+    for (Eigen::Index j = 0; j < count; ++j, power *= (i - centre) / half) one(j) = power;
+  };
+  const double low = static_cast<double>(from) + 1.0;
+  const double high = static_cast<double>(to) - 2.0;
+  Fitted with;
+  // |t − at| is linear in a change of `at`, but for samples that change sides.
+  for (int step = 0; step < kSteps; ++step) {
+    with = fit(path, from, to, 6, [&](double i, Eigen::VectorXd& one) {
+      powers(i, 4, one);
+      one(4) = std::abs(i - at) / half;
+      one(5) = i > at ? 1.0 : -1.0;
+    });
+    const double by = -with.coefficients(5) * half / with.coefficients(4);
+    if (!std::isfinite(by)) return {};
+    at = std::clamp(at + by, low, high);
+    if (std::abs(by) < 1e-9) break;
   }
-  const double smooth = window.smooth();
-  if (smooth - found->left <= kSignificant * variance) return {};
-  const double freedom = std::max(1.0, static_cast<double>(window.size()) - 6.0);
-  const double close = std::pow(kClose * found->corner.change, 2.0);
-  const bool noise = found->left <= kNoiseAlone * variance * freedom &&
-                     found->beside <= std::max(kNoiseBeside * variance, close);
-  if (!noise && found->left > std::min(close, kShareLeft * smooth)) return {};
-  return found->corner;
+  with = fit(path, from, to, 5, [&](double i, Eigen::VectorXd& one) {
+    powers(i, 4, one);
+    one(4) = std::abs(i - at) / half;
+  });
+  const Fitted smooth =
+      fit(path, from, to, 6, [&](double i, Eigen::VectorXd& one) { powers(i, 6, one); });
+  const double freedom = static_cast<double>(to - from) - 6.0;
+  const double change = 2.0 * with.coefficients(4) / half;
+  const bool sharp = with.left <= kSharp * change * kSharp * change;
+  const bool explained = with.left <= kNoiseAlone * variance * std::max(freedom, 1.0) ||
+                         (sharp && with.left <= kShareLeft * smooth.left);
+  if (!explained || smooth.left - with.left <= kSignificant * variance) return {};
+  return PathCorner{at, change};
 }
 
 /// The corner near `at` by as many samples as follow its model, up to its neighbours.
@@ -347,8 +249,7 @@ std::optional<PathCorner> refined(std::span<const double> path, double at, std::
   std::size_t before = place - first;
   std::size_t after = last - place;
   while (before >= kFewestBeside && after >= kFewestBeside) {
-    const auto found =
-        corner_of(CornerWindow(path, place - before, place + after + 1), at, variance);
+    const auto found = corner_of(path, at, place - before, place + after + 1, variance);
     if (found) return found;
     const std::size_t longer = std::max(before, after);
     if (longer <= kFewestBeside) break;
@@ -361,12 +262,10 @@ std::optional<PathCorner> refined(std::span<const double> path, double at, std::
 
 }  // namespace
 
-double PathCorner::part(double t) const { return 0.5 * change * rounded_modulus(t, rounding); }
-
 double PathCorner::value(double t, double reach) const {
   const double share = std::abs(t) / reach;
   if (share >= 1.0) return 0.0;
-  const double whole = part(t);
+  const double whole = 0.5 * change * std::abs(t);
   if (share <= kNotFaded) return whole;
   const double faded = (share - kNotFaded) / (1.0 - kNotFaded);
   // The smooth step of which derivatives up to the third vanish at both ends.
@@ -377,32 +276,15 @@ double PathCorner::value(double t, double reach) const {
 
 std::vector<PathCorner> path_corners(std::span<const double> path) {
   const double noise = noise_of(path);
-  std::vector<double> seen = corners_seen(path, noise);
+  const std::vector<double> seen = corners_seen(path, noise);
   std::vector<PathCorner> corners;
-  std::vector<std::size_t> sight;  // of each
-  std::size_t k = 0;
-  while (k < seen.size()) {
+  for (std::size_t k = 0; k < seen.size(); ++k) {
     const std::size_t first = k == 0 ? 0 : static_cast<std::size_t>(seen[k - 1] + 1.5);
     const std::size_t last =
         k + 1 == seen.size() ? path.size() - 1 : static_cast<std::size_t>(seen[k + 1] - 0.5);
-    const auto corner = refined(path, seen[k], first, last, noise * noise);
-    if (!corner) {
-      ++k;
-      continue;
-    }
-    if (corners.empty() || corner->at - corners.back().at >= static_cast<double>(kFewestBeside)) {
+    if (const auto corner = refined(path, seen[k], first, last, noise * noise)) {
       corners.push_back(*corner);
-      sight.push_back(k++);
-      continue;
     }
-    // A wide one seen twice, at either end of its rounding: the two are sought as one.
-    const auto again = static_cast<std::ptrdiff_t>(sight.back());
-    const auto next = static_cast<std::ptrdiff_t>(k) + 1;
-    k = sight.back();
-    seen[k] = 0.5 * (seen[k] + seen[static_cast<std::size_t>(next - 1)]);
-    seen.erase(seen.begin() + again + 1, seen.begin() + next);
-    corners.pop_back();
-    sight.pop_back();
   }
   return corners;
 }

@@ -16,9 +16,6 @@ namespace {
 /// displacement slip there.
 constexpr double kShortRow = 0.25;
 constexpr double kFullRowAfter = 8.0;  ///< lengths of a row from the turn
-/// The extremum of a corner is within so many of its rounding, to 1e-4 of the change of velocity.
-constexpr double kFarthestVertex = 4.0;
-constexpr int kHalvings = 40;
 /// Rows of the largest branch: as many as a density has details.
 constexpr double kRowsOfBranch = 64.0;
 
@@ -191,40 +188,26 @@ struct Turn {
   double value;        ///< of the path, m
 };
 
-/// Where the part of a corner beside a slope, m per sample, has its extremum, in samples from the
-/// corner: there the slope of the part, ½ change·erf(t/(√2 s)), is the opposite.
-double vertex_of(const PathCorner& corner, double slope) {
-  if (corner.rounding == 0.0) return 0.0;
-  double low = -kFarthestVertex * corner.rounding;
-  double high = -low;
-  for (int halving = 0; halving < kHalvings; ++halving) {
-    const double t = 0.5 * (low + high);
-    const double of_part =
-        0.5 * corner.change * std::erf(t / (std::numbers::sqrt2 * corner.rounding));
-    ((slope + of_part) * corner.change > 0.0 ? high : low) = t;
-  }
-  return 0.5 * (low + high);
-}
-
-/// The turn at a sample where a path in a direction ends. Where one of the corners is beside it,
-/// the turn is the extremum of the corner's part and of the line through the rest of the path at
-/// the two samples beside. What is not beyond the sample is no turn of the corner.
-Turn turn_at(std::span<const double> path, std::size_t sample, double direction,
+/// The turn at a sample, sharp where one of the corners is beside it: the mean of the straight
+/// lines through two samples on either side. What is not beyond the sample is no turn of the
+/// corner.
+Turn turn_at(std::span<const double> path, std::size_t sample,
              const std::vector<PathCorner>& corners) {
   const Turn at_sample{sample, path[sample]};
+  if (sample < 2 || sample + 3 > path.size()) return at_sample;
   const auto place = static_cast<double>(sample);
   const auto corner = std::ranges::lower_bound(corners, place - 1.0, {}, &PathCorner::at);
   if (corner == corners.end() || corner->at >= place + 1.0) return at_sample;
-  if (corner->at < 0.0 || corner->at + 1.0 >= static_cast<double>(path.size())) return at_sample;
-  const auto before = static_cast<std::size_t>(corner->at);
-  const double from = static_cast<double>(before) - corner->at;
-  const double rest = path[before] - corner->part(from);
-  const double slope = path[before + 1] - corner->part(from + 1.0) - rest;
-  const double t = vertex_of(*corner, slope);
-  const double value = rest + slope * (t - from) + corner->part(t);
+  const std::size_t before = corner->at < place ? sample - 1 : sample;
+  const std::size_t after = before + 1;
+  if (before < 1 || after + 1 >= path.size()) return at_sample;
+  const double share = corner->at - static_cast<double>(before);
+  const double value = 0.5 * (path[before] + share * (path[before] - path[before - 1]) +
+                              path[after] - (1.0 - share) * (path[after + 1] - path[after]));
+  const double direction =
+      path[sample] > path[sample - 1] || path[sample] > path[sample + 1] ? 1.0 : -1.0;
   if (direction * (value - path[sample]) < 0.0) return at_sample;
-  const double last = std::clamp(std::floor(corner->at + t), place - 1.0, place);
-  return {static_cast<std::size_t>(last), value};
+  return {before, value};
 }
 
 /// How long the rows of each branch are.
@@ -270,7 +253,7 @@ PathRows path_rows(std::span<const double> path, std::span<const double> force, 
   for (std::size_t k = 1; k < turns.size(); ++k) {
     const double direction = path[turns[k]] > path[turns[k - 1]] ? 1.0 : -1.0;
     builder.set_length(lengths.of_branch(k - 1));
-    const Turn turn = turn_at(path, turns[k], direction, corners);
+    const Turn turn = turn_at(path, turns[k], corners);
     for (; next <= turn.sample; ++next) {
       if (walk.move(path[next], direction)) builder.end_stretch();
       if (walk.known()) builder.add(next, direction, walk);
