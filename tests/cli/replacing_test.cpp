@@ -101,14 +101,17 @@ TEST(Replacing, ARecordingOfOtherColumnsWhereItIsGivenUp) {
   const Sandbox box{{"in.csv", recording_text(1)},
                     {"other.csv", "time [s],b [N]\n0,1\n1,2\n2,1\n"},
                     {"logger.csv", "Logger 7\nOperator,N.N.\ntime [s],b [N]\n0,1\n1,2\n2,1\n"},
+                    {"notes.csv", "my notes\nline\n"},
                     {"levels.csv", sample_levels_text()}};
+  expect_refused(box, {"convert", "in.csv", "notes.csv", "--replace"},
+                 {"notes.csv", "is no recording"});
   for (const char* out : {"other.csv", "logger.csv"}) {
     expect_refused(box, {"convert", "in.csv", out}, {out, "exists"});
     expect_done(box, {"convert", "in.csv", out, "--replace", "--quiet"});
     EXPECT_NE(box.get(out).find("acc1"), std::string::npos);
   }
   expect_refused(box, {"convert", "in.csv", "levels.csv", "--replace"},
-                 {"levels.csv", "a table of levels"});
+                 {"levels.csv", "is no recording"});
 }
 
 TEST(Replacing, NoFileWrittenByHand) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -97,10 +98,22 @@ int list(const ConvertOptions& options, bool quiet) {
   return kDone;
 }
 
+/// What --replace gives up must be a recording: notes pass for a table, too.
+void check_given_up(const std::string& out) {
+  if (!std::filesystem::is_regular_file(out) || std::filesystem::file_size(out) == 0) return;
+  try {
+    (void)read_recordings(out, RecordingReadOptions{});
+  } catch (const Error& error) {
+    throw FileError(out, "exists and is no recording; it would be replaced",
+                    "Move it away or choose another name.");
+  }
+}
+
 int convert(const ConvertOptions& options, bool quiet) {
   const RecordingFormat format = format_of(options);
   const Replacing replacing = options.replace ? Replacing::kAny : Replacing::kSame;
   check_output(options.out, recording_kind(format), replacing);
+  if (options.replace) check_given_up(options.out);
   Recordings found = read(options, quiet);
   choose_recording(options, found.recordings);
   check_count(options, format, found.recordings.size());
