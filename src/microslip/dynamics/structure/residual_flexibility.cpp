@@ -111,6 +111,7 @@ double largest_eigenvalue(const Eigen::MatrixXd& matrix) {
 /// @param residual  of the joints.
 void check_beside_springs(const JointedStructure& structure, const std::vector<std::size_t>& joints,
                           const Eigen::MatrixXd& residual) {
+  if (joints.empty()) return;
   const Eigen::VectorXd roots = spring_roots(structure.joints());
   const Eigen::MatrixXd shares = spring_shares(structure.linear().modes(), structure.joints());
   Eigen::MatrixXd all = shares;
@@ -122,7 +123,6 @@ void check_beside_springs(const JointedStructure& structure, const std::vector<s
           roots(row) * roots(column) * residual(static_cast<Index>(a), static_cast<Index>(b));
     }
   }
-  if (joints.empty()) return;
   // Modes with an error may have more by themselves.
   const double allowed =
       std::max(1.0 + kSpringTolerance, (1.0 + kRounded) * largest_eigenvalue(shares));

@@ -25,8 +25,7 @@ constexpr std::string_view kChangeSign =
     "Change the sign of one channel, or take the channels of this joint.";
 constexpr std::string_view kExchange =
     "Force and displacement may be swapped, or the force may lag behind the displacement: give "
-    "each its "
-    "channel, without delay.";
+    "each its channel, without delay.";
 constexpr std::string_view kEither =
     "Change the sign of one channel; or force and displacement may be swapped.";
 

@@ -106,6 +106,13 @@ struct GroupRead {
   Sampling sampling = {};
 };
 
+/// The path of an object within its file; empty where it has none.
+std::string path_of(hid_t object) {
+  std::array<char, 256> path{};
+  H5Iget_name(object, path.data(), path.size() - 1);
+  return path.data();
+}
+
 std::vector<haddr_t> addresses_of(const std::vector<Hdf5Handle>& scales) {
   std::vector<haddr_t> addresses;
   for (const Hdf5Handle& scale : scales) addresses.push_back(hdf5_address(scale.id()));
@@ -125,9 +132,7 @@ bool may_share(const DatasetSide& side, const AxisBeside& axis) {
 /// Whether the name of a dimension speaks of time: that of the samples is not that of the channels.
 bool speaks_of_time(const DatasetSide& side) {
   return std::ranges::any_of(side.scales, [](const Hdf5Handle& scale) {
-    std::array<char, 256> path{};
-    if (H5Iget_name(scale.id(), path.data(), path.size() - 1) <= 0) return false;
-    const std::string name = in_capitals(file_name(path.data()));
+    const std::string name = in_capitals(file_name(path_of(scale.id())));
     return name.find("TIME") != std::string::npos || name.find("SAMPLE") != std::string::npos;
   });
 }
@@ -332,13 +337,12 @@ class ForeignReader {
   std::optional<ScaleAxis> read_scale(const Hdf5Handle& scale, const Sampling& sampling,
                                       const std::string& place) {
     const hid_t id = scale.id();
-    std::array<char, 256> path{};
-    H5Iget_name(id, path.data(), path.size() - 1);
-    const std::string inside = fmt::format("{}:{}", path_, printable(path.data()));
+    const std::string path = path_of(id);
+    const std::string inside = fmt::format("{}:{}", path_, printable(path));
     const bool numbers = hdf5_content(id) == Hdf5Content::kReal && hdf5_sizes(id).size() == 1;
     if (!numbers || is_bare_dimension(id, place)) return std::nullopt;
     const std::string unit = text_of(id, kUnitNames, inside);
-    const std::string name = file_name(path.data());
+    const std::string name = file_name(path);
     const std::optional<Dimension> dimension = dimension_of_scale(name, unit);
     if (!dimension) return std::nullopt;
     const Unit known = find_unit_of_points(unit).value_or(Unit{.dimension = *dimension});
@@ -502,9 +506,7 @@ class ForeignReader {
       served_.insert(hdf5_address(id));
       const bool numbers = hdf5_content(id) == Hdf5Content::kReal && hdf5_sizes(id).size() == 1;
       if (!numbers || is_bare_dimension(id, dataset.place)) continue;
-      std::array<char, 256> path{};
-      H5Iget_name(id, path.data(), path.size() - 1);
-      Label label{printable(file_name(path.data())), text_of(id, kUnitNames, dataset.place),
+      Label label{printable(file_name(path_of(id))), text_of(id, kUnitNames, dataset.place),
                   read_values(id, dataset.place)};
       if (label.values.size() == dataset.sides[side].size) labels.push_back(std::move(label));
     }

@@ -303,8 +303,7 @@ std::pair<OutputFiles::File*, FileDescriptor> OutputFiles::create(const std::str
   const auto same = [&](const File& file) { return is_same_file(file.target, target.file); };
   if (std::any_of(files_.begin(), files_.end(), same)) fail_twice(path);
   auto created = create_beside(path, target);
-  File& file = files_.emplace_back(
-      File{path, target.file, std::move(created.first), replacing, target.replaced.has_value()});
+  File& file = files_.emplace_back(File{path, target.file, std::move(created.first), replacing});
   return {&file, std::move(created.second)};
 }
 

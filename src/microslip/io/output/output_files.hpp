@@ -81,7 +81,7 @@ class OutputFiles {
     std::string target;  ///< behind links
     Temporary temporary;
     Replacing replacing;
-    bool replaces;  ///< whether a file was there when it was last looked at
+    bool replaces = false;  ///< a file that was there at check_all()
   };
 
   std::pair<File*, FileDescriptor> create(const std::string& path, Replacing replacing);

@@ -7,6 +7,11 @@
 
 namespace microslip {
 
+double taper(double place) {
+  const double cosine = std::cos(0.5 * std::numbers::pi * place);
+  return cosine * cosine * cosine * cosine;
+}
+
 TaperedWindow::TaperedWindow(std::span<const double> signal, double rate, double centre,
                              double length)
     : length_(length), rate_(rate), step_(2.0 / (length * rate)) {
@@ -16,10 +21,7 @@ TaperedWindow::TaperedWindow(std::span<const double> signal, double rate, double
   values_ = signal.subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from) + 1);
   first_ = (from / rate - centre) * 2.0 / length;
   weights_.resize(values_.size());
-  for (std::size_t i = 0; i < weights_.size(); ++i) {
-    const double cosine = std::cos(0.5 * std::numbers::pi * place(i));
-    weights_[i] = cosine * cosine * cosine * cosine;
-  }
+  for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = taper(place(i));
 }
 
 double TaperedWindow::largest() const {
@@ -59,20 +61,7 @@ double TaperedWindow::noise_gain() const {
 }
 
 double TaperedWindow::strongest(double from, double to) const {
-  const double step = 2.0 * std::numbers::pi / length_ / 4.0;
-  const auto count = static_cast<std::size_t>(std::ceil((to - from) / step));
-  double best = from;
-  double most = -1.0;
-  for (std::size_t i = 0; i <= count; ++i) {
-    const double omega = from + (to - from) * static_cast<double>(i) /
-                                    static_cast<double>(std::max<std::size_t>(count, 1));
-    const double power = std::norm(transform(omega));
-    if (power > most) {
-      most = power;
-      best = omega;
-    }
-  }
-  return best;
+  return strongest_of(from, to, length_, [&](double omega) { return transform(omega); });
 }
 
 }  // namespace microslip

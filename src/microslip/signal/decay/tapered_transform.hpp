@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
@@ -18,6 +20,29 @@ namespace microslip {
 [[nodiscard]] inline double side_lobe(double d) {
   constexpr double kHeight = 4.0 / std::numbers::pi;
   return kHeight / (d * (d * d - 1.0) * (d * d - 4.0));
+}
+
+/// The taper at 2τ/T, from −1 to 1.
+[[nodiscard]] double taper(double place);
+
+/// Of frequencies between two, T⁻¹/4 apart or less, the one of the largest transform; all in rad/s,
+/// the length T in s.
+template <typename Transform>
+double strongest_of(double from, double to, double length, const Transform& transform) {
+  const double step = 2.0 * std::numbers::pi / length / 4.0;
+  const auto count = static_cast<std::size_t>(std::ceil((to - from) / step));
+  double best = from;
+  double most = -1.0;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double omega = from + (to - from) * static_cast<double>(i) /
+                                    static_cast<double>(std::max<std::size_t>(count, 1));
+    const double power = std::norm(transform(omega));
+    if (power > most) {
+      most = power;
+      best = omega;
+    }
+  }
+  return best;
 }
 
 class TaperedWindow {

@@ -17,12 +17,6 @@ constexpr double kNodesOfPeriod = 24.0;  // of real nodes
 constexpr double kNodesOfLine = 8.0;
 constexpr double kWorthwhile = 3.0;  // samples for a node
 
-double taper_at(double place) {
-  if (std::abs(place) >= 1.0) return 0.0;
-  const double cosine = std::cos(0.5 * std::numbers::pi * place);
-  return cosine * cosine * cosine * cosine;
-}
-
 /// Lagrange's polynomials of the nodes −3, …, 4 at t from 0 to 1.
 std::array<double, kPolynomials> polynomials_at(double t) {
   // 1/∏(j − i) over i ≠ j
@@ -123,7 +117,7 @@ void WindowNodes::take_nodes(const TaperedWindow& window, double carrier, std::s
   value_.clear();
   for (std::size_t k = 1; k < count; ++k) {
     const double place = 2.0 * static_cast<double>(k) / intervals - 1.0;
-    const double weight = taper_at(place);
+    const double weight = taper(place);
     place_.push_back(place);
     weight_.push_back(weight);
     const double scale = 1.0 / (samples_ * weight);
@@ -163,24 +157,14 @@ std::complex<double> WindowNodes::transform(const std::vector<std::complex<doubl
 
 std::complex<double> WindowNodes::half_transform(int which, double omega) const {
   const double centre = which == 0 ? -0.5 : 0.5;
-  return sum_of(value_, omega, [&](std::size_t k) { return taper_at(2.0 * (place_[k] - centre)); });
+  return sum_of(value_, omega, [&](std::size_t k) {
+    const double place = 2.0 * (place_[k] - centre);
+    return std::abs(place) >= 1.0 ? 0.0 : taper(place);
+  });
 }
 
 double WindowNodes::strongest_between(double from, double to) const {
-  const double step = 2.0 * std::numbers::pi / length_ / 4.0;
-  const auto count =
-      std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil((to - from) / step)));
-  double best = from;
-  double most = -1.0;
-  for (std::size_t i = 0; i <= count; ++i) {
-    const double omega = from + (to - from) * static_cast<double>(i) / static_cast<double>(count);
-    const double power = std::norm(transform(value_, omega));
-    if (power > most) {
-      most = power;
-      best = omega;
-    }
-  }
-  return best;
+  return strongest_of(from, to, length_, [&](double omega) { return transform(value_, omega); });
 }
 
 bool WindowNodes::holds(double omega) const {
