@@ -53,7 +53,9 @@ copyFileSync(`${example}/joint.json`, `${artefacts}/joint.json`);
 const model = readFileSync(`${example}/model.toml`, 'utf8');
 const apart = reportOf('apart', model);
 const bytes = tools.checkSize(apart);
-const {page, faults} = await tools.open(browser, apart, {viewport: {width: 1300, height: 900}});
+const opened = await tools.open(browser, apart);
+const {page, faults} = opened;
+await tools.takePictures(browser, apart, `${artefacts}/apart`, [], {opened});
 await tools.checkEveryFigure(page);
 assert.deepEqual(await page.locator('figure h3').allTextContents(), ['Slip-force densities', 'Loss per cycle',
   'Loss, measured against found', 'Damping ratio', 'Frequency', 'Residuals of the losses',
@@ -70,7 +72,6 @@ for (const part of ['displacement, mode 12 to 500 µm, 25 levels', 'amplitude of
 const drawn = (await tools.plotted(page, '#figure-0')).map(({name}) => name);
 for (const name of ['wall', 'middle', 'wall: band', 'middle: band']) assert.ok(drawn.includes(name), `${name} in ${drawn}`);
 assert.deepEqual(faults, []);
-await tools.takePictures(browser, apart, `${artefacts}/apart`, []);
 
 // Joints that cannot be distinguished are named before their densities.
 const alike = reportOf('alike', model.replace(/^shape = \[0\.0, 1\.41.*\]/m,

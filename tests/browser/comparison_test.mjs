@@ -76,7 +76,9 @@ run('report', 'found', '--out', 'found.html');
 
 const found = `${artefacts}/found.html`;
 const bytes = tools.checkSize(found);
-const {page, faults} = await tools.open(browser, found, {viewport: {width: 1300, height: 900}});
+const opened = await tools.open(browser, found);
+const {page, faults} = opened;
+await tools.takePictures(browser, found, artefacts, ['few_inside'], {opened});
 await tools.checkEveryFigure(page);
 const reach = await page.locator('dt:text-is("predictions against tests") + dd').textContent();
 assert.match(reach, /^\d+ of \d+ values of 2 tests inside their bands/);
@@ -101,7 +103,6 @@ assert.deepEqual(await force.locator('option').allTextContents(), ['middle.csv',
 await force.locator('select').selectOption('strange.csv');
 assert.match(await force.locator('.legend').textContent(), /measured, outside/);
 assert.deepEqual(faults, []);
-await tools.takePictures(browser, found, artefacts, ['few_inside']);
 
 // Two joints from modes of two days: sessions by mode, and the test of a mode that was read 10 % too high.
 const example = `${dirname(fileURLToPath(import.meta.url))}/../../examples/two_joints`;
@@ -127,7 +128,9 @@ for (const [day, session] of ['monday', 'friday', 'sunday'].entries()) {
 put('joints.toml', joints);
 run('campaign', 'joints.toml', '--out', 'jointed');
 run('report', 'jointed', '--out', 'jointed.html');
-const several = await tools.open(browser, `${artefacts}/jointed.html`, {viewport: {width: 1300, height: 900}});
+const several = await tools.open(browser, `${artefacts}/jointed.html`);
+await tools.takePictures(browser, `${artefacts}/jointed.html`, tools.folder(`${artefacts}/several`), ['left_out_contradicts'],
+    {opened: several});
 await tools.checkEveryFigure(several.page);
 const shown = (title) => several.page.locator('.table-block', {hasText: title}).first().locator('tbody tr');
 assert.equal(await shown('Frequencies against the first session').count(), 6);
@@ -136,19 +139,17 @@ assert.deepEqual(await shown('Each left out in turn').filter({hasText: /yes$/}).
 assert.match(await several.page.locator('.verdict').textContent(), /1 of 6 tests contradicts the others, .*: sunday2, D \+/);
 assert.match(await several.page.locator('body').textContent(), /26 modal levels of 6 tests identify its joints, in 3 sessions/);
 assert.deepEqual(several.faults, []);
-await tools.takePictures(browser, `${artefacts}/jointed.html`, tools.folder(`${artefacts}/several`), ['left_out_contradicts']);
 
 // A comparison by itself, without draws: no bands, as the report states.
 tools.folder(`${artefacts}/compared`);
 run('verify', 'true.toml', 'middle.csv', '--out', 'compared/comparison.csv');
 run('report', 'compared', '--out', 'compared.html');
 const alone = await tools.open(browser, `${artefacts}/compared.html`);
+await tools.takePictures(browser, `${artefacts}/compared.html`, tools.folder(`${artefacts}/alone`), [], {opened: alone});
 await tools.checkEveryFigure(alone.page);
 assert.match(await alone.page.locator('.verdict').textContent(), /1 test, without bands to assess them/);
 assert.doesNotMatch(await alone.page.locator('body').textContent(), /No joint\.json/);
 assert.deepEqual(alone.faults, []);
-const pictures = tools.folder(`${artefacts}/alone`);
-await tools.takePictures(browser, `${artefacts}/compared.html`, pictures, []);
 await browser.close();
 console.log(`measured: ${JSON.stringify({bytes})}`);
 console.log('ok');

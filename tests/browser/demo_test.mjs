@@ -18,13 +18,15 @@ const measured = {};
 async function check(name, warnings, more) {
   const file = `${demo}/${name}/report.html`;
   const bytes = tools.checkSize(file);
-  const {page, context, faults} = await tools.open(browser, file);
+  const opened = await tools.open(browser, file, {timed: true});
+  const {page, context, faults, load} = opened;
+  await tools.takePictures(browser, file, tools.folder(`${artefacts}/${name}`), warnings,
+      {everywhere: name === 'reference_rig', opened});
   await tools.checkEveryFigure(page);
   await more(page);
   assert.deepEqual(faults, [], name);
   await context.close();
-  await tools.takePictures(browser, file, tools.folder(`${artefacts}/${name}`), warnings, name === 'reference_rig');
-  const milliseconds = await tools.measureLoads(browser, file);
+  const milliseconds = await tools.leastTimes(browser, file, load);
   measured[name] = {bytes, milliseconds};
 }
 

@@ -27,7 +27,9 @@ run('identify', 'levels.csv', '--stiffness', '1.7e5', '--bands', '100', '--out',
 run('report', '.', '--title', 'Reference rig', '--out', file);
 
 const bytes = tools.checkSize(file);
-const {page, faults} = await tools.open(browser, file);
+const opened = await tools.open(browser, file);
+const {page, faults} = opened;
+await tools.takePictures(browser, file, artefacts, undefined, {opened});
 await tools.checkEveryFigure(page);
 const titles = await page.locator('figure h3').allTextContents();
 for (const title of ['Force over time', 'Acceleration over time', 'Displacement over time', 'Harmonics',
@@ -54,18 +56,17 @@ assert.ok(missing.some((command) => command.startsWith('microslip verify')), mis
 assert.ok((await page.locator('section:last-of-type').textContent()).includes('--bands 100'));
 assert.deepEqual(faults, []);
 console.log(`measured: ${JSON.stringify({bytes, milliseconds: await tools.times(page)})}`);
-await tools.takePictures(browser, file, artefacts);
 
 const alone = tools.folder(`${artefacts}/alone`);
 const lonely = `${alone}/report.html`;
 cpSync(`${test}/levels.csv`, `${alone}/levels.csv`);
 run('report', alone, '--out', lonely);
 const levels = await tools.open(browser, lonely);
+await tools.takePictures(browser, lonely, alone, undefined, {opened: levels});
 await tools.checkEveryFigure(levels.page);
 assert.equal(await levels.page.locator('h2:text-is("Not in this report")').count(), 1);
 assert.ok((await levels.page.locator('#section-0-summary').textContent()).includes('microslip identify'));
 assert.deepEqual(levels.faults, []);
-await tools.takePictures(browser, lonely, alone);
 
 // A recording whose name and channels would do harm if anything took them for markup or a program.
 const kHarm = '<img src=x onerror="window.harmed=1">';

@@ -52,7 +52,9 @@ const bottom = (page, selector) => page.locator(selector).first().evaluate(
 
 const good = reportOf('good', 0);
 const bytes = tools.checkSize(good);
-const {page, faults} = await tools.open(browser, good, {viewport: {width: 1300, height: 900}});
+const opened = await tools.open(browser, good);
+const {page, faults} = opened;
+await tools.takePictures(browser, good, `${artefacts}/good`, [], {opened});
 await tools.checkEveryFigure(page);
 const titles = await page.locator('figure h3').allTextContents();
 assert.deepEqual(titles, ['Slip-force density', 'Force over time', 'Residual over time',
@@ -71,7 +73,6 @@ for (const shown of ['.facts.prominent', '#figure-0 .canvas', '#section-0-summar
 assert.deepEqual((await tools.plotted(page, '#figure-0')).map(({name}) => name),
     ['95 % band', 'identified joint']);
 assert.deepEqual(faults, []);
-await tools.takePictures(browser, good, `${artefacts}/good`, []);
 
 // On a phone nothing is wider than the screen, and the figures that matter come first.
 const broken = reportOf('broken', 1.5);

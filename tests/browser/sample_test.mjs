@@ -337,7 +337,7 @@ await test('without scripts there are pictures and tables', async () => {
   await plain.context.close();
 });
 
-await test('light, dark, on a phone, on paper', () => tools.takePictures(browser, file, artefacts, undefined, true));
+await test('light, dark, on a phone, on paper', () => tools.takePictures(browser, file, artefacts, undefined, {everywhere: true}));
 
 await test('nothing went wrong on the way', () => assert.deepEqual(faults, []));
 
