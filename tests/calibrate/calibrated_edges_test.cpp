@@ -146,10 +146,6 @@ TEST(CalibratedEdges, ARangeWithoutSlipIsTakenAsOne) {
   SimulatedTest test =
       tested(box(6e5, 10.0, 30.0), Joint(9e5, SlipDensity({PowerLawPart{0.02, -0.4, 0.0, 110.0}})));
   const std::vector<double> clean = testing::clean_losses(test);
-  const CalibrationResult smooth = calibrated(clean, 300, false, test);
-  EXPECT_FALSE(smooth.edges_sought);
-  EXPECT_TRUE(smooth.joints[0].edges.empty());
-  EXPECT_EQ(smooth.joints[0].edges_evidence, 0.0);
   const CalibrationResult found = calibrated(clean, 300, true, test);
   expect_edges(found.joints[0], {10.0, 30.0}, 300);
   EXPECT_TRUE(found.joints[1].edges.empty());
@@ -161,8 +157,13 @@ TEST(CalibratedEdges, ARangeWithoutSlipIsTakenAsOne) {
       EXPECT_LT(lap.density[i], 0.05 * lap.stiffness.value * typical) << f;
     }
   }
+  for (std::size_t j = 0; j < 2; ++j) EXPECT_GE(testing::loss_coverage(found, test, j), 0.9) << j;
+  if (!microslip::test::in_studies()) return;
+  const CalibrationResult smooth = calibrated(clean, 300, false, test);
+  EXPECT_FALSE(smooth.edges_sought);
+  EXPECT_TRUE(smooth.joints[0].edges.empty());
+  EXPECT_EQ(smooth.joints[0].edges_evidence, 0.0);
   for (std::size_t j = 0; j < 2; ++j) {
-    EXPECT_GE(testing::loss_coverage(found, test, j), 0.9) << j;
     EXPECT_GE(testing::loss_coverage(found, test, j), testing::loss_coverage(smooth, test, j)) << j;
   }
 }

@@ -77,7 +77,7 @@ TEST(FundamentalTest, ForceOfHarmonicsBesideAPureResponse) {
 
 TEST(FundamentalTest, NoHalfOfThePureSine) {
   // Noise at ω/2, ω/3 … must not make a longer period; many noises.
-  for (std::uint64_t stream = 0; stream < 40; ++stream) {
+  for (std::uint64_t stream = 0; stream < test::draws_of(40, 20); ++stream) {
     expect_fundamental(fit({signal({1.0}, 0.5, stream)}));
   }
 }
@@ -103,7 +103,7 @@ TEST(FundamentalTest, ConstantSignalsFail) {
 }
 
 TEST(FundamentalTest, NoiseAloneFails) {
-  for (std::uint64_t stream = 0; stream < 20; ++stream) {
+  for (std::uint64_t stream = 0; stream < test::draws_of(20, 10); ++stream) {
     // Its strongest line may lie next to the Nyquist frequency: another reason, the same end.
     EXPECT_FALSE(fit({signal({}, 1.0, stream)}).summary.converged());
     expect_failure(fit({signal({}, 1.0, stream)}, {.frequency_guess = 40.0}),
