@@ -46,7 +46,15 @@ function(microslip_add_folder name)
   list(TRANSFORM folder_USES PREPEND microslip_headers_)
   target_link_libraries(microslip_headers_${target} INTERFACE ${folder_USES})
 
+  _microslip_taken_objects(taken ${name})
+  if(taken)
+    list(FILTER folder_PRIVATE EXCLUDE REGEX "\\.cpp$")
+  endif()
   add_library(microslip_folder_${target} OBJECT ${folder_PRIVATE} ${folder_PUBLIC} ${folder_INTERNAL})
+  if(NOT taken)
+    file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/objects/${target}.objects"
+         CONTENT "$<JOIN:$<TARGET_OBJECTS:microslip_folder_${target}>,\n>\n")
+  endif()
   target_include_directories(microslip_folder_${target} PRIVATE "${tree}/private")
   target_link_libraries(microslip_folder_${target} PRIVATE microslip_headers_${target} ${folder_LINKS})
   # Nobody replaces a function of the library by one of another: GCC may inline position-independent ones, as
@@ -69,6 +77,7 @@ function(microslip_add_folder name)
     PROPERTIES POSITION_INDEPENDENT_CODE ON
                LINKER_LANGUAGE CXX # of one that holds headers alone, too
                UNITY_BUILD_BATCH_SIZE ${batch}
+               MICROSLIP_TAKEN_OBJECTS "${taken}"
                MICROSLIP_PUBLIC_HEADERS "${public_headers}"
                MICROSLIP_FORMER_HEADERS "${former_headers}")
   set_property(GLOBAL APPEND PROPERTY MICROSLIP_FOLDERS ${name})
@@ -90,9 +99,10 @@ function(microslip_add_part name)
   endforeach()
   microslip_folders_below(part_FOLDERS ${part_FOLDERS})
   list(TRANSFORM part_FOLDERS REPLACE "/" "_")
-  list(TRANSFORM part_FOLDERS REPLACE "(.+)" "$<TARGET_OBJECTS:microslip_folder_\\1>"
-                              OUTPUT_VARIABLE objects)
-  add_library(${library} ${objects})
+  add_library(${library})
+  foreach(folder IN LISTS part_FOLDERS)
+    _microslip_add_objects(${library} ${folder})
+  endforeach()
   add_library(microslip::${name} ALIAS ${library})
   target_compile_features(${library} INTERFACE cxx_std_20)
   set_target_properties(${library} PROPERTIES MICROSLIP_FOLDERS "${part_FOLDERS}"
@@ -134,7 +144,7 @@ function(microslip_link_into_shared target)
       get_target_property(links microslip_${part} MICROSLIP_LINKS)
       string(REPLACE "Hdf5::Hdf5" "Hdf5::Shared" links "${links}")
       foreach(folder IN LISTS folders)
-        target_sources(${target} PRIVATE $<TARGET_OBJECTS:microslip_folder_${folder}>)
+        _microslip_add_objects(${target} ${folder})
         target_link_libraries(${target} PRIVATE microslip_headers_${folder})
       endforeach()
       target_link_libraries(${target} PRIVATE ${links})
@@ -194,6 +204,37 @@ function(microslip_private_headers target folder)
   _microslip_make_absolute(headers)
   _microslip_forward_headers("${tree}/microslip/bindings/${folder}" ${headers})
   target_include_directories(${target} PRIVATE "${tree}")
+endfunction()
+
+# The object files of a folder in the other build tree, where MICROSLIP_TAKEN_FOLDERS has it taken from there and it
+# is compiled: what another compiler would only compile once more. Empty otherwise.
+function(_microslip_taken_objects variable name)
+  set(objects "")
+  string(REGEX MATCH "^[^/]+" room "${name}")
+  string(REPLACE "/" "_" target "${name}")
+  set(list "${MICROSLIP_TEST_OBJECTS}/objects/${target}.objects")
+  if(room IN_LIST MICROSLIP_TAKEN_FOLDERS AND EXISTS "${list}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${list}")
+    file(STRINGS "${list}" objects)
+    foreach(object IN LISTS objects)
+      if(NOT EXISTS "${object}")
+        set(objects "")
+        break()
+      endif()
+    endforeach()
+  endif()
+  set(${variable} ${objects} PARENT_SCOPE)
+endfunction()
+
+# Links the objects of a folder, its own or those taken from another build tree.
+function(_microslip_add_objects target folder)
+  get_target_property(taken microslip_folder_${folder} MICROSLIP_TAKEN_OBJECTS)
+  if(taken)
+    target_sources(${target} PRIVATE ${taken})
+    set_source_files_properties(${taken} TARGET_DIRECTORY ${target} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+  else()
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:microslip_folder_${folder}>)
+  endif()
 endfunction()
 
 # The parts and those that they use, directly or not.
