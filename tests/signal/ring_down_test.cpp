@@ -770,6 +770,35 @@ TEST(RingDown, RefusesWhatIsNoDecay) {
   expect_signal_refused(broken, {"sample 8", "must be finite"});
 }
 
+// An amplifier at its limit, its noise on top: no two samples are alike, and damping is too small by
+// 18 % and more as long as the amplitude is above the limit. Such windows are named, the others are
+// not, nor any of a decay that is within the range: at few samples a period either, which miss the
+// extremes of both alike. (Four samples a period, at 0 and at the limit, are those of a sine.)
+TEST(RingDown, NamesWindowsThatAreCutOffBeneathNoise) {
+  const ViscousMode mode{.damping_ratio = 0.004, .phase = 0.0};
+  for (const double rate : {5000.0, 233.0, 187.0}) {
+    const std::vector<double> good = sampled({mode}, 0, rate, 8.0);
+    const RingDown whole = ring_down(with_noise(good, 1e-4, 5), rate, kLength);
+    EXPECT_FALSE(warns_of(whole, "clipped")) << rate;
+    for (const double limit : {0.8, 0.6, 0.4, 0.2}) {
+      std::vector<double> cut = good;
+      for (double& y : cut) y = std::clamp(y, -limit * mode.amplitude, limit * mode.amplitude);
+      const RingDown decay = ring_down(with_noise(cut, 1e-4, 5), rate, kLength);
+      EXPECT_TRUE(warns_of(decay, "clipped")) << limit << " at " << rate;
+      const double within = -std::log(limit) / mode.decay();  // from when on
+      for (std::size_t i = 0; i < decay.size(); ++i) {
+        const bool named = decay.flags[i].find("clipped") != std::string::npos;
+        const double error = decay.damping_ratio[i] / mode.damping_ratio - 1.0;
+        const double noise = decay.damping_ratio_std[i] / mode.damping_ratio;
+        EXPECT_TRUE(named || std::abs(error) < 0.02 + 5.0 * noise)
+            << error << " at " << decay.time[i];
+        EXPECT_FALSE(named && decay.time[i] - 0.3 * decay.window[i] > within)
+            << limit << ", " << decay.time[i];
+      }
+    }
+  }
+}
+
 // Above 0.45 of the sampling rate a mode and its mirror image, as far above half of the rate as the
 // mode is below, are less than six lines of the shortest window apart.
 TEST(RingDown, RefusesAModeNearHalfOfTheSamplingRate) {

@@ -6,14 +6,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <utility>
+
+#include "microslip/signal/decay/decay_clipping.hpp"
 
 namespace microslip {
 namespace {
 
 constexpr double kLeaks = 0.02;    // of ζ
 constexpr double kMatters = 0.05;  // of ζ
+constexpr double kCutOff = 0.03;   // of the range
 
 void add_point(const DecayWindow& window, const DecayPoint& point, double offset,
                RingDown& result) {
@@ -45,8 +49,19 @@ double shift_that_counts(const DecayTrack& track, std::size_t i) {
   return moved > std::max(kLeaks, kSure * noise.damping_std / noise.damping) ? moved : 0.0;
 }
 
-void flag_windows(const DecayTrack& track, std::vector<std::string>& flags) {
+/// What the range of the signal lacks in each window, see lacking_range().
+std::vector<double> lacking_ranges(const DecayTrack& track) {
+  std::vector<double> lacking;
+  for (const DecayWindow& window : track.walk.windows) {
+    lacking.push_back(lacking_range(track.task.signal, track.task.rate, window));
+  }
+  return lacking;
+}
+
+void flag_windows(const DecayTrack& track, std::span<const double> lacking,
+                  std::vector<std::string>& flags) {
   for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (lacking[i] > kCutOff) add_flag(flags[i], "clipped");
     if (relative_leakage(track.walk.windows[i]) > kLeaks) add_flag(flags[i], "neighbour_leaks");
     const DecayPoint& own = track.points[i];
     const DecayPoint noise =
@@ -128,6 +143,26 @@ std::string second_text(const DecayTrack& track, std::size_t moved, double worst
       what, track.frequency, 100.0 * worst, moved, track.walk.windows.size(),
       decay_point(second.mode_at(track.walk.windows.front().centre), track.task.derivatives, 0.0)
           .damping);
+}
+
+void warn_of_clipping(const DecayTrack& track, std::span<const double> lacking, RingDown& result) {
+  std::size_t count = 0;
+  double until = 0.0;
+  for (std::size_t i = 0; i < lacking.size(); ++i) {
+    if (lacking[i] <= kCutOff) continue;
+    const DecayWindow& window = track.walk.windows[i];
+    ++count;
+    until = track.offset + window.centre + window.length / 2.0;
+  }
+  if (count == 0) return;
+  result.warnings.push_back(
+      {"clipped",
+       fmt::format("In {} of {} windows the signal does not reach the amplitude of its own "
+                   "oscillation, by up to {:.2g} % of it: it is cut off by an instrument, or "
+                   "flattened by gross slip. Damping of a signal that is cut off is too small "
+                   "there, and its standard deviation does not include that: begin at {:.4g} s, or "
+                   "measure with a wider range.",
+                   count, lacking.size(), 100.0 * std::ranges::max(lacking), until)});
 }
 
 void warn_of_fall(const DecayTrack& track, RingDown& result) {
@@ -216,7 +251,8 @@ RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& po
   for (std::size_t i = 0; i < points.size(); ++i) {
     add_point(track.walk.windows[i], points[i], track.offset, result);
   }
-  flag_windows(track, flags);
+  const std::vector<double> lacking = lacking_ranges(track);
+  flag_windows(track, lacking, flags);
   result.flags = std::move(flags);
   result.from = result.time.front() - result.window.front() / 2.0;
   result.to = result.time.back() + result.window.back() / 2.0;
@@ -227,6 +263,7 @@ RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& po
   result.noise_std = std::sqrt(track.walk.noise_variance);
   result.measured = measured;
   result.summary = summary_of(track);
+  warn_of_clipping(track, lacking, result);
   warn_of_neighbours(track, banded, result);
   if (const auto warning = warning_of_second(track)) result.warnings.push_back(*warning);
   warn_of_fall(track, result);

@@ -12,8 +12,8 @@ namespace microslip {
 std::string codes_of_decay(const std::vector<Warning>& warnings) {
   std::string codes;
   for (const Warning& warning : warnings) {
-    constexpr std::string_view kOfLevels[] = {"beats", "neighbour_leaks", "sensors_differ",
-                                              "shape_moves", "steady_tone"};
+    constexpr std::string_view kOfLevels[] = {"beats",          "clipped",     "neighbour_leaks",
+                                              "sensors_differ", "shape_moves", "steady_tone"};
     if (std::ranges::find(kOfLevels, warning.code) != std::end(kOfLevels)) continue;
     if ((" " + codes + " ").find(" " + warning.code + " ") != std::string::npos) continue;
     codes += (codes.empty() ? "" : " ") + warning.code;

@@ -142,8 +142,8 @@ class RingDown(Shown):
     window : ndarray
         Lengths of the windows, s.
     flags : tuple of str
-        Codes separated by blanks: ``neighbour_leaks``, ``window_matters``, ``beats``,
-        ``steady_tone``, ``shape_moves``, ``sensors_differ``.
+        Codes separated by blanks: ``clipped``, ``neighbour_leaks``, ``window_matters``,
+        ``beats``, ``steady_tone``, ``shape_moves``, ``sensors_differ``.
     from_, to : float
         The range in which the windows lie, s.
     start : float
