@@ -87,8 +87,8 @@ function expectedFigures(page) {
 }
 
 /** Every figure has its points, units, buttons and alternatives, and its switches work: those of logarithmic axes of the first
-    of each kind of figures, for they are the same, and of all in the studies. */
-export async function checkEveryFigure(page) {
+    figure of those with the same switches, and of all where `everySwitch` or in the studies. */
+export async function checkEveryFigure(page, everySwitch = Boolean(process.env.MICROSLIP_STUDIES)) {
   const expected = await expectedFigures(page);
   const kinds = new Set();
   const nodes = page.locator('figure.figure');
@@ -115,7 +115,7 @@ export async function checkEveryFigure(page) {
       assert.equal(await node.locator('.ytitle').textContent(), axes[0]);
       assert.equal(await node.locator('.xtitle').textContent(), axes[1]);
       const kind = JSON.stringify([figure.x.switch, figure.x.log, figure.y.switch, figure.y.log]);
-      await checkLogSwitches(node, figure, name, !kinds.has(kind) || Boolean(process.env.MICROSLIP_STUDIES));
+      await checkLogSwitches(node, figure, name, everySwitch || !kinds.has(kind));
       kinds.add(kind);
     }
     await checkChoices(page, i, node, figure, name);

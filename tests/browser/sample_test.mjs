@@ -75,7 +75,7 @@ await test('the pointer shows names out of files as texts', async () => {
   assert.equal(await page.locator('svg a, svg tspan[style*=bold]').count(), 0);
 });
 
-await test('every figure is whole', () => tools.checkEveryFigure(page));
+await test('every figure is whole', () => tools.checkEveryFigure(page, true));
 
 await test('log switches', async () => {
   assert.equal(await axis('Dissipation', 'yaxis'), 'log');

@@ -286,7 +286,7 @@ TEST(Calibration, FindsAJointThatSlipsFromAForceOn) {
   }
 }
 
-// A typing error of a factor 10 in one of sixty levels, whose deviations are not given.
+// A typing error of a factor 10 in one of 28 levels, whose deviations are not given.
 TEST(Calibration, NamesALevelThatIsFarOff) {
   MICROSLIP_OF_RELEASE_ALONE();
   SimulatedTest test =

@@ -38,7 +38,7 @@ JointedStructure random_structure(std::uint64_t seed) {
 // From stick far into macro-slip each curve gets to its end, with the balance that is promised, and
 // without turning round: it ends where it should, and its points nowhere lie far apart.
 TEST(FrequencyResponse, OfRandomStructuresReachesItsEnd) {
-  for (std::uint64_t seed = 1; seed <= test::draws_of(16, 8); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 4 : test::draws_of(16, 8)); ++seed) {
     const HarmonicBalance balance(random_structure(seed), {seed % 2 == 1 ? "a" : "b"},
                                   {.samples = 128});
     for (const double force : {1e-3, 0.05, 0.3, 2.0}) {
@@ -75,7 +75,7 @@ JointedStructure structure_of_atoms(std::uint64_t seed) {
 }
 
 TEST(FrequencyResponse, GoesRoundTheCornersOfAtoms) {
-  for (std::uint64_t seed = 1; seed <= test::draws_of(24, 12); ++seed) {
+  for (std::uint64_t seed = 1; seed <= (test::kSanitized ? 8 : test::draws_of(24, 12)); ++seed) {
     const HarmonicBalance balance(structure_of_atoms(seed), {"a"},
                                   {.harmonics = 3, .samples = 128});
     const ResponseCurve curve = balance.frequency_response(0.05, 0.6, 3.0);

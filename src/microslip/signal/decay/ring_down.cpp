@@ -228,16 +228,19 @@ RingDown ring_down(const Recording& recording, std::span<const std::string> chan
     result.sensors = {{.name = tracks.front().name}};
   } else {
     CombinedDecay all = combine_sensors(tracks);
+    for (const SensorTrack& sensor : tracks) {
+      flag_clipped(sensor.track, tracks[all.leader].track, all.flags);
+    }
     result = ring_down_of(tracks[all.leader].track, all.points, std::move(all.flags), measured,
                           options.band.has_value());
     if (options.band) result.band = *options.band;
     result.sensors = std::move(all.sensors);
     for (const SensorTrack& sensor : tracks) {
       if (&sensor == &tracks[all.leader]) continue;
-      auto warning = warning_of_second(sensor.track);
-      if (!warning) continue;
-      warning->text = sensor.name + ": " + warning->text;
-      result.warnings.push_back(std::move(*warning));
+      for (auto& warning : {warning_of_clipping(sensor.track), warning_of_second(sensor.track)}) {
+        if (!warning) continue;
+        result.warnings.push_back({warning->code, sensor.name + ": " + warning->text});
+      }
     }
     for (const auto* more : {&warnings, &all.warnings}) {
       result.warnings.insert(result.warnings.end(), more->begin(), more->end());

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -17,7 +16,6 @@ namespace {
 
 constexpr double kLeaks = 0.02;    // of ζ
 constexpr double kMatters = 0.05;  // of ζ
-constexpr double kCutOff = 0.03;   // of the range
 
 void add_point(const DecayWindow& window, const DecayPoint& point, double offset,
                RingDown& result) {
@@ -49,19 +47,24 @@ double shift_that_counts(const DecayTrack& track, std::size_t i) {
   return moved > std::max(kLeaks, kSure * noise.damping_std / noise.damping) ? moved : 0.0;
 }
 
-/// What the range of the signal lacks in each window, see lacking_range().
-std::vector<double> lacking_ranges(const DecayTrack& track) {
-  std::vector<double> lacking;
+/// What the range of the signal lacks in the first windows, one after the other, up to the first in
+/// which it does not: an instrument is at its limit where the amplitude is largest.
+std::vector<double> clipped_windows(const DecayTrack& track) {
+  constexpr double kLacking = 0.03;
+  constexpr double kSure = 2.0;  // of the noise, at both ends of the range
+  const double noise = std::sqrt(track.walk.noise_variance);
+  std::vector<double> clipped;
   for (const DecayWindow& window : track.walk.windows) {
-    lacking.push_back(lacking_range(track.task.signal, track.task.rate, window));
+    const double lacking = lacking_range(track.task.signal, track.task.rate, window);
+    if (lacking <= kLacking + kSure * noise / window.amplitude) break;
+    clipped.push_back(lacking);
   }
-  return lacking;
+  return clipped;
 }
 
-void flag_windows(const DecayTrack& track, std::span<const double> lacking,
-                  std::vector<std::string>& flags) {
+void flag_windows(const DecayTrack& track, std::vector<std::string>& flags) {
+  flag_clipped(track, track, flags);
   for (std::size_t i = 0; i < flags.size(); ++i) {
-    if (lacking[i] > kCutOff) add_flag(flags[i], "clipped");
     if (relative_leakage(track.walk.windows[i]) > kLeaks) add_flag(flags[i], "neighbour_leaks");
     const DecayPoint& own = track.points[i];
     const DecayPoint noise =
@@ -145,26 +148,6 @@ std::string second_text(const DecayTrack& track, std::size_t moved, double worst
           .damping);
 }
 
-void warn_of_clipping(const DecayTrack& track, std::span<const double> lacking, RingDown& result) {
-  std::size_t count = 0;
-  double until = 0.0;
-  for (std::size_t i = 0; i < lacking.size(); ++i) {
-    if (lacking[i] <= kCutOff) continue;
-    const DecayWindow& window = track.walk.windows[i];
-    ++count;
-    until = track.offset + window.centre + window.length / 2.0;
-  }
-  if (count == 0) return;
-  result.warnings.push_back(
-      {"clipped",
-       fmt::format("In {} of {} windows the signal does not reach the amplitude of its own "
-                   "oscillation, by up to {:.2g} % of it: it is cut off by an instrument, or "
-                   "flattened by gross slip. Damping of a signal that is cut off is too small "
-                   "there, and its standard deviation does not include that: begin at {:.4g} s, or "
-                   "measure with a wider range.",
-                   count, lacking.size(), 100.0 * std::ranges::max(lacking), until)});
-}
-
 void warn_of_fall(const DecayTrack& track, RingDown& result) {
   const DecayWindow& first = track.walk.windows.front();
   if (first.length * first.decay <= 1.2 * track.task.largest_fall) return;
@@ -240,6 +223,32 @@ std::optional<Warning> warning_of_second(const DecayTrack& track) {
   return Warning{std::string(second_code(track)), second_text(track, moved, worst)};
 }
 
+std::optional<Warning> warning_of_clipping(const DecayTrack& track) {
+  const std::vector<double> lacking = clipped_windows(track);
+  if (lacking.empty()) return std::nullopt;
+  const DecayWindow& last = track.walk.windows[lacking.size() - 1];
+  return Warning{
+      "clipped",
+      fmt::format("In the first {} of {} windows the range of the signal is up to {:.2g} % below "
+                  "that of its fundamental: clipped by the instrument (the peaks then stay at one "
+                  "level as the decay goes on), or flattened by macro-slip. Clipping makes damping "
+                  "too small, which the standard deviations do not include: begin at {:.4g} s, or "
+                  "widen the range of the channel.",
+                  lacking.size(), track.walk.windows.size(), 100.0 * std::ranges::max(lacking),
+                  track.offset + last.centre + last.length / 2.0)};
+}
+
+void flag_clipped(const DecayTrack& sensor, const DecayTrack& track,
+                  std::vector<std::string>& flags) {
+  const std::size_t count = clipped_windows(sensor).size();
+  if (count == 0) return;
+  const double until = sensor.offset + sensor.walk.windows[count - 1].centre;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    const bool later = track.offset + track.walk.windows[i].centre > until;
+    if (!later && flags[i].find("clipped") == std::string::npos) add_flag(flags[i], "clipped");
+  }
+}
+
 void add_flag(std::string& flags, std::string_view code) {
   if (!flags.empty()) flags += ' ';
   flags += code;
@@ -251,8 +260,7 @@ RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& po
   for (std::size_t i = 0; i < points.size(); ++i) {
     add_point(track.walk.windows[i], points[i], track.offset, result);
   }
-  const std::vector<double> lacking = lacking_ranges(track);
-  flag_windows(track, lacking, flags);
+  flag_windows(track, flags);
   result.flags = std::move(flags);
   result.from = result.time.front() - result.window.front() / 2.0;
   result.to = result.time.back() + result.window.back() / 2.0;
@@ -263,7 +271,7 @@ RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& po
   result.noise_std = std::sqrt(track.walk.noise_variance);
   result.measured = measured;
   result.summary = summary_of(track);
-  warn_of_clipping(track, lacking, result);
+  if (const auto warning = warning_of_clipping(track)) result.warnings.push_back(*warning);
   warn_of_neighbours(track, banded, result);
   if (const auto warning = warning_of_second(track)) result.warnings.push_back(*warning);
   warn_of_fall(track, result);

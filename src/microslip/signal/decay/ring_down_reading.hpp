@@ -23,6 +23,13 @@ namespace microslip {
 /// The warning of a second oscillation near the mode; none where there is none that counts.
 [[nodiscard]] std::optional<Warning> warning_of_second(const DecayTrack& track);
 
+/// The warning that the beginning of a decay is clipped; none where it is not.
+[[nodiscard]] std::optional<Warning> warning_of_clipping(const DecayTrack& track);
+
+/// Flags the windows of a track as long as a sensor, that of the track or another, is clipped.
+void flag_clipped(const DecayTrack& sensor, const DecayTrack& track,
+                  std::vector<std::string>& flags);
+
 /// Adds a code to the flags of a window.
 void add_flag(std::string& flags, std::string_view code);
 

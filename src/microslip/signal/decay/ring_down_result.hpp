@@ -48,14 +48,14 @@ struct RingDown {
   std::vector<double> loss;               ///< 2πζω²A² = D/m, J/kg
   std::vector<double> loss_std;           ///< with the correlation of ζ and A
   std::vector<double> window;             ///< length of each, s
-  /// Codes between blanks: clipped, the signal is cut off, or flattened by 3 %; neighbour_leaks,
-  /// other modes move ζ by more than 2 %; window_matters, the choice of the window by more than 5
-  /// %; beats, a second oscillation too near to be parted, or steady_tone, one that does not decay,
-  /// by more than 2 %; of several sensors shape_moves, a ratio of amplitudes is off its mean by
-  /// more than 1 % and twice its standard deviation; sensors_differ, ζ of two (or ω, and by more
-  /// than 0.01 %) by more than twice the standard deviation of the difference. Noise alone flags
-  /// one window in twenty so; the warnings of the same codes are given where noise alone explains
-  /// them in one record of a hundred.
+  /// Codes between blanks: clipped, the range of the signal is 3 % or more below that of its
+  /// fundamental; neighbour_leaks, other modes move ζ by more than 2 %; window_matters, the choice
+  /// of the window by more than 5 %; beats, a second oscillation too near to be parted, or
+  /// steady_tone, one that does not decay, by more than 2 %; of several sensors shape_moves, a
+  /// ratio of amplitudes is off its mean by more than 1 % and twice its standard deviation;
+  /// sensors_differ, ζ of two (or ω, and by more than 0.01 %) by more than twice the standard
+  /// deviation of the difference. Noise alone flags one window in twenty so; the warnings of the
+  /// same codes are given where noise alone explains them in one record of a hundred.
   std::vector<std::string> flags;
 
   double from = 0.0;                         ///< s: the range in which the windows lie

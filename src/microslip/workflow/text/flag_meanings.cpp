@@ -14,7 +14,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 53> kMeaning
     {"beats", "a second oscillation near the mode changes the damping by more than 2 %"},
     {"beyond_identification",
      "the joint moves more than in the levels from which it was identified"},
-    {"clipped", "a channel is cut off at its extremes"},
+    {"clipped", "a channel is clipped, or in a decay flattened by macro-slip"},
     {"coarse_steps",
      "the phase changes by more than 30° between the two sweep steps next to the resonance"},
     {"decay_within_window", "the decay is too fast for the frequency resolution of its windows"},
