@@ -7,6 +7,8 @@
 #include <iterator>
 #include <vector>
 
+#include "microslip/dynamics/harmonic/nearby_solutions.hpp"
+
 namespace microslip {
 namespace {
 
@@ -93,16 +95,14 @@ SteadyVibration padded(SteadyVibration vibration, std::size_t harmonics) {
   return vibration;
 }
 
-VibrationResult again(const HarmonicBalance& other, const SteadyVibration& point, Quantity kept) {
-  const SteadyVibration start = padded(point, other.options().harmonics);
+NearbyTargets again(const SteadyVibration& point, std::size_t harmonics, Quantity kept) {
+  const SteadyVibration start = padded(point, harmonics);
   if (kept == Quantity::kPhaseLag) {
-    return other.solve(kPhaseResonance, {Quantity::kResponse, point.response}, start);
+    return {kPhaseResonance, {Quantity::kResponse, point.response}, start};
   }
   const Target level{kept, kept == Quantity::kResponse ? point.response : point.force_amplitude};
-  if (in_resonance(point)) {
-    return other.solve({Quantity::kPhaseLag, point.phase_lag}, level, start);
-  }
-  return other.solve({Quantity::kAngularFrequency, point.angular_frequency}, level, start);
+  if (in_resonance(point)) return {{Quantity::kPhaseLag, point.phase_lag}, level, start};
+  return {{Quantity::kAngularFrequency, point.angular_frequency}, level, start};
 }
 
 double change(double before, double after) {
@@ -142,12 +142,17 @@ CurveChange solve_again(const HarmonicBalance& other, const ResponseCurve& curve
   Telling chosen = telling(curve);
   if (points == PointsAgain::kInResonance) keep_resonances(curve, chosen.points);
   found.peaks_left_out = chosen.peaks_left_out;
+  std::vector<NearbyTargets> targets;
   for (const std::size_t i : chosen.points) {
-    const SteadyVibration& point = curve.points[i];
-    const VibrationResult result = again(other, point, kept);
+    targets.push_back(again(curve.points[i], other.options().harmonics, kept));
+  }
+  const std::vector<VibrationResult> results =
+      nearby_solutions(other.structure(), other.response(), other.options(), targets);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const VibrationResult& result = results[i];
     if (result.summary.converged()) {
       ++found.points;
-      compare(point, result.vibration, kept, found);
+      compare(curve.points[chosen.points[i]], result.vibration, kept, found);
     } else {
       found.unsolved = result.summary.reason;
     }

@@ -16,15 +16,11 @@
 #include "microslip/dynamics/cycle/trigonometric_basis.hpp"
 #include "microslip/dynamics/harmonic/amplitude_continuation.hpp"
 #include "microslip/dynamics/harmonic/balance_run.hpp"
+#include "microslip/dynamics/harmonic/nearby_solutions.hpp"
 #include "microslip/dynamics/harmonic/resonance_curve.hpp"
 
 namespace microslip {
 namespace {
-
-using Eigen::Index;
-using Eigen::VectorXd;
-
-constexpr const char* kMethod = "harmonic balance";
 
 /// The equations keep dense matrices over the 2H + 1 coefficients of all joints: as much memory as
 /// five of them; measured 4.9 and 4.8, of 41 and 81 joints with 11 harmonics.
@@ -150,47 +146,6 @@ void check_modal_mode(const JointedStructure& structure, const ResponsePoint& re
                    "Take another mode.");
 }
 
-VibrationResult to_result(BalanceRun& run, const BalanceRun::Outcome& outcome, const Target& first,
-                          const Target& second, const Stopwatch& watch) {
-  VibrationResult result;
-  run.equations.evaluate(outcome.z);
-  result.vibration = run.equations.vibration();
-  Summary& s = result.summary;
-  s.method = kMethod;
-  const std::string doubt = energy_doubt(result.vibration, run.newton_options.tolerance);
-  const bool converged = outcome.newton.converged && doubt.empty();
-  s.stop = converged                  ? Stop::kConverged
-           : outcome.newton.converged ? Stop::kDoubtful
-                                      : Stop::kNoProgress;
-  s.reason = outcome.newton.converged && !converged ? doubt : outcome.newton.reason;
-  if (!converged) {
-    const bool of_base = run.equations.structure().base_driven();
-    s.reason += fmt::format(
-        "; requested {} and {}, reached {:.9g} Hz, {}, response {:.6g}", describe(first, of_base),
-        describe(second, of_base), result.vibration.frequency(),
-        drive_text(result.vibration.force_amplitude, of_base), result.vibration.response);
-  }
-  s.residual = outcome.newton.residual;
-  s.iterations = outcome.newton.iterations;
-  s.wall_seconds = watch.seconds();
-  return result;
-}
-
-VectorXd to_unknowns(const SteadyVibration& start, const BalanceEquations& equations,
-                     std::size_t harmonics) {
-  const std::size_t joints = equations.structure().joints().size();
-  if (start.joints.size() != joints) {
-    throw InputError("joints of the start", static_cast<double>(start.joints.size()),
-                     fmt::format("must be those of the structure, {}", joints));
-  }
-  for (const JointCycle& joint : start.joints) {
-    if (joint.displacement.size() == harmonics + 1) continue;
-    throw InputError("harmonics of the start", static_cast<double>(joint.displacement.size()) - 1.0,
-                     fmt::format("must be those of the options, {}", harmonics));
-  }
-  return equations.unknowns(start);
-}
-
 }  // namespace
 
 HarmonicBalance::HarmonicBalance(JointedStructure structure, ResponsePoint response,
@@ -207,17 +162,16 @@ VibrationResult HarmonicBalance::solve(const Target& first, const Target& second
   const Stopwatch watch;
   check_targets(first, second, options_.forcing);
   BalanceRun run(structure_, response_, options_);
-  return to_result(run, run.solve(first, second, mode), first, second, watch);
+  VibrationResult result = solution_of(run, run.solve(first, second, mode), first, second);
+  result.summary.wall_seconds = watch.seconds();
+  return result;
 }
 
 VibrationResult HarmonicBalance::solve(const Target& first, const Target& second,
-                                       const SteadyVibration& near) const {
-  const Stopwatch watch;
+                                       const SteadyVibration& start) const {
   check_targets(first, second, options_.forcing);
-  BalanceRun run(structure_, response_, options_);
-  BalanceRun::Outcome outcome{{}, to_unknowns(near, run.equations, options_.harmonics)};
-  outcome.newton = newton(run.equations, first, second, run.newton_options, outcome.z);
-  return to_result(run, outcome, first, second, watch);
+  const NearbyTargets targets{first, second, start};
+  return std::move(nearby_solutions(structure_, response_, options_, {&targets, 1}).front());
 }
 
 ResponseCurve HarmonicBalance::follow(const Target& kept, Quantity along, double from, double to,
@@ -257,7 +211,7 @@ ResponseCurve HarmonicBalance::backbone(std::span<const double> responses, std::
   BalanceRun run(structure_, response_, options_);
   ResponseCurve curve;
   Summary& s = curve.summary;
-  s.method = fmt::format("{}, backbone", kMethod);
+  s.method = "harmonic balance, backbone";
   AmplitudeContinuation walk(run.equations, run.newton_options, kPhaseResonance,
                              Quantity::kResponse);
   const Target first{Quantity::kResponse, responses.front()};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/algebra/lu.hpp"
 #include "microslip/dynamics/cycle/trigonometric_basis.hpp"
+#include "microslip/dynamics/harmonic/held_modes.hpp"
 #include "microslip/dynamics/harmonic/structure_operator.hpp"
 
 namespace microslip {
@@ -54,12 +54,14 @@ class LinearOperator final : public StructureOperator {
     }
     held_ = (m_.shapes.cwiseAbs2() * stuck_).cwiseAbs();
     static_spring_ = m_.spring_in_modes + stuck_;
-    MatrixXd stiffness = m_.shapes * stuck_.asDiagonal() * m_.shapes.transpose();
-    for (Index i = 0; i < m_.modes; ++i) stiffness(i, i) += m_.stiffness(i, 0, 0.0, 0.0).real();
-    const MatrixXd flexibility = inverse_of_held(stiffness);
-    static_modal_ = flexibility * m_.shapes;
+    VectorXd stiffness(m_.modes);
+    for (Index i = 0; i < m_.modes; ++i) stiffness[i] = m_.stiffness(i, 0, 0.0, 0.0).real();
+    MatrixXd loads(m_.modes, m_.joints + 1);
+    loads << m_.shapes, m_.static_load;
+    const MatrixXd displaced = held_displacements(stiffness, m_.shapes, stuck_, loads);
+    static_modal_ = displaced.leftCols(m_.joints);
     static_receptance_ = m_.shapes.transpose() * static_modal_;
-    resting_modal_ = flexibility * m_.static_load;
+    resting_modal_ = displaced.col(m_.joints);
     resting_joints_ = m_.shapes.transpose() * resting_modal_;
   }
 
@@ -112,19 +114,6 @@ class LinearOperator final : public StructureOperator {
   [[nodiscard]] MatrixXcd modal() const override { return motion_; }
 
  private:
-  /// A generalised inverse of a stiffness: unrestrained motions are 0. In the scale of its
-  /// diagonal, for modes whose frequencies lie decades apart.
-  static MatrixXd inverse_of_held(const MatrixXd& stiffness) {
-    VectorXd scale = stiffness.diagonal();
-    for (double& value : scale) value = value > 0.0 ? 1.0 / std::sqrt(value) : 0.0;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
-        (scale.asDiagonal() * stiffness * scale.asDiagonal()).eval());
-    VectorXd inverse = solver.eigenvalues();
-    for (double& value : inverse) value = value > 1e-12 ? 1.0 / value : 0.0;
-    const MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
-    return vectors * inverse.asDiagonal() * vectors.transpose();
-  }
-
   [[nodiscard]] Index at(Index joint, std::size_t h) const {
     return joint * coefficient_count(m_.harmonics) + coefficient_index(h);
   }
