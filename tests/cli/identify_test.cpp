@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -106,6 +107,28 @@ TEST(identify, BySplineWithEachSmoothing) {
   options.spline.smoothing = FixedLambda{0.2 * 1e-3 * 1e-3 * 1e-3};
   expect_as_library({"--method", "spline", "--smoothing", "lambda=0.2", "--smoothing-unit", "mm"},
                     options);
+}
+
+// The same p is another curve with weights: the summary states them.
+TEST(identify, BySplineNamesItsWeights) {
+  const Sandbox box;
+  std::string with = "amplitude [m],dissipation [J],dissipation_std [J]\n";
+  std::string without = "amplitude [m],dissipation [J]\n";
+  for (int i = 1; i <= 20; ++i) {
+    const double amplitude = 1e-5 * i;
+    const std::string row = fmt::format("{:.9g},{:.9g}", amplitude, 6e6 * std::pow(amplitude, 3));
+    with += fmt::format("{},{:.9g}\n", row, 1e5 * std::pow(amplitude, 3));
+    without += row + "\n";
+  }
+  box.put("levels.csv", with);
+  const Arguments by_spline =
+      identify_with({"--method", "spline", "--smoothing", "p=0.5", "--smoothing-unit", "um"});
+  const std::string weighted = expect_done(box, by_spline).out;
+  EXPECT_NE(weighted.find("lambda 1e-18 m^3, "), std::string::npos) << weighted;
+  EXPECT_NE(weighted.find("1/dissipation_std^2 over their mean"), std::string::npos) << weighted;
+  box.put("levels.csv", without);
+  const std::string equal = expect_done(box, by_spline).out;
+  EXPECT_NE(equal.find("1 of each level, without dissipation_std"), std::string::npos) << equal;
 }
 
 TEST(identify, ByDifferences) {

@@ -52,8 +52,10 @@ SplineDensityResult density_by_spline(const LevelEvidence& levels, double stiffn
   check_stiffness(stiffness);
   SplineDensityResult result;
   result.stiffness = stiffness;
+  const std::vector<double> weights = dissipation_weights(levels);
+  result.weighted = !weights.empty();
   result.fit = fit_smoothing_spline(levels.measured().amplitude, levels.measured().dissipation,
-                                    dissipation_weights(levels), options.smoothing);
+                                    weights, options.smoothing);
   const auto amplitude = result.fit.spline.knots();
   if (amplitude.size() < 3) {
     throw InputError("number of distinct amplitudes", static_cast<double>(amplitude.size()),

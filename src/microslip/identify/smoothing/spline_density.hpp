@@ -24,6 +24,7 @@ struct SplineDensityResult {
   SignedDensity density;   ///< at each distinct level; zero at the first and the last
   /// The fit of D(A): A in m, D in J, λ in m³; its Summary is that of the method.
   SmoothingSplineResult fit;
+  bool weighted = false;          ///< whether levels have weights 1/σ² over their mean; else 1
   std::vector<Warning> warnings;  ///< those of the fit, and density_negative
 
   /// φ(f*) between the levels too, 1/N; zero outside of them. @param slip_force  f*, N.

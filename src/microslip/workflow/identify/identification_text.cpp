@@ -93,12 +93,23 @@ std::string describe_frequencies(const Identification& found) {
                               frequency.equivalent_joint_error));
 }
 
+std::string describe_smoothing(double lambda, std::string_view unit, double edf) {
+  return line("smoothing",
+              fmt::format("lambda {:.3g}{}, {:.1f} degrees of freedom", lambda, unit, edf));
+}
+
+/// λ and p mean nothing without the weights.
+std::string describe_spline(const SplineDensityResult& result) {
+  return describe_smoothing(result.fit.lambda, " m^3", result.fit.edf) +
+         line("weights", result.weighted ? "1/dissipation_std^2 over their mean"
+                                         : "1 of each level, without dissipation_std");
+}
+
 std::string describe_inversion(const Identification& found) {
   const InversionResult& result = *found.inversion();
   const PathPoint& point = result.path[result.chosen];
   std::string text = describe_scatter(result);
-  text += line("smoothing",
-               fmt::format("lambda {:.3g}, {:.1f} degrees of freedom", point.lambda, point.edf));
+  text += describe_smoothing(point.lambda, "", point.edf);
   text += describe_offset(found);
   if (!result.edges.empty()) {
     text +=
@@ -199,6 +210,7 @@ std::string describe_identification(const Identification& found, std::size_t lev
     text += describe_inversion(found);
   } else {
     if (found.parametric) text += describe_parameters(*found.parametric);
+    if (found.spline() && !found.parametric) text += describe_spline(*found.spline());
     text += describe_offset(found);
   }
   text += describe_frequencies(found);
