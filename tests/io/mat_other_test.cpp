@@ -164,6 +164,21 @@ TEST_F(MatOther, ReadsALastVariableThatClaimsATagMore) {
   EXPECT_NE(message().find("found the end of the file"), std::string::npos) << message();
 }
 
+// As libsndfile, the acquisition of MATLAB and test systems call it.
+TEST_F(MatOther, KnowsOtherNamesOfTheRate) {
+  for (const char* name : {"samplerate", "SampleRate", "ActualRate", "Time_Sample_Rate"}) {
+    {
+      OtherMat file(path_);
+      file.add(name, {48000.0}, 1);
+      file.add("wavedata", {1, 2, 3, 4, 5, 6}, 2);
+    }
+    const Recordings read = read_recordings_mat(path_);
+    ASSERT_EQ(read.recordings.size(), 1U) << name;
+    EXPECT_EQ(read.recordings[0].sampling_rate(), 48000.0) << name;
+    EXPECT_EQ(read.recordings[0].channels.size(), 2U) << name;
+  }
+}
+
 std::string number_of_4(std::uint32_t value) {
   std::string bytes(4, '\0');
   for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<char>(value >> (8 * i));

@@ -130,7 +130,8 @@ TEST(RecordingCsv, TheAxisIsTheFirstColumnOfTimeOrFrequency) {
 TEST(RecordingCsv, TakesTheRateFromACommentWhereThereIsNoTime) {
   for (const char* comment :
        {"# fs = 8192 Hz", "% Sampling Rate: 8.192 kHz", "//sampling_rate=8192",
-        "# sample rate: 8192", "# sampling frequency = 8.192e3 Hz"}) {
+        "# sample rate: 8192", "# sampling frequency = 8.192e3 Hz", "# SampleRate: 8192 Hz",
+        "# ActualRate = 8192"}) {
     const Recording r = read(comment + "\nforce [N],speed [Hz]\n1,50\n2,51\n"s);
     EXPECT_EQ(r.axis.start, 0.0) << comment;
     EXPECT_EQ(r.axis.step, 1.0 / 8192.0) << comment;

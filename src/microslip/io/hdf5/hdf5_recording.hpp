@@ -30,7 +30,7 @@
 /// datasets that share an axis. A dataset is a channel; one of two dimensions is as many as its
 /// shorter side has. The axis is the dataset `time`, `t`, `frequency`, `freq` or `f` beside them
 /// (`t` and `f` only where the values rise: else they are a channel, a force perhaps), or the
-/// sampling rate `fs`, `sampling_rate`, `sample_rate`, `sampling_frequency` [Hz], or the interval
+/// sampling rate (kRateNames: `fs`, `sampling_rate`, `SampleRate`, …) [Hz], or the interval
 /// `dt`, `delta_t`, `sampling_interval` [s], with the time `t0` or `start` [s] of the first point:
 /// an attribute of the dataset or of a group that it lies in, or a dataset of one number there.
 /// `channel_name` names a channel (else the name of the dataset does), `unit_str`, `unit` or

@@ -19,8 +19,13 @@
 
 namespace microslip {
 
-inline constexpr std::array<const char*, 6> kRateNames{
-    "fs", "Fs", "FS", "sampling_rate", "sample_rate", "sampling_frequency"};
+inline constexpr std::array<const char*, 14> kRateNames{"fs",          "Fs",
+                                                        "FS",          "sampling_rate",
+                                                        "sample_rate", "samplingrate",
+                                                        "samplerate",  "samplingRate",
+                                                        "sampleRate",  "SamplingRate",
+                                                        "SampleRate",  "sampling_frequency",
+                                                        "ActualRate",  "Time_Sample_Rate"};
 inline constexpr std::array<const char*, 5> kStepNames{"dt", "Dt", "sampling_interval", "delta_t",
                                                        "wf_increment"};
 inline constexpr std::array<const char*, 4> kStartNames{"t0", "start", "start_time",
