@@ -317,6 +317,36 @@ TEST(RecordCycles, FlagWhatMoves) {
   }
 }
 
+// A cycle of x = u + δt/T that goes up to its turn ends where u is δ short of it: D misses Fδ, much
+// of a slim loop though δ is 1 % of the amplitude. All cycles are biased; without the drift none
+// is flagged.
+TEST(RecordCycles, FlagADriftOfTheSensorThatChangesTheLoss) {
+  const Joint joint = testing::reference_joint();
+  constexpr double kAmplitude = 1e-4;
+  constexpr double kDrift = 1e-6;  // m per cycle
+  std::vector<double> turns{0.0};
+  for (int k = 0; k < 40; ++k) turns.push_back(k % 2 == 0 ? kAmplitude : -kAmplitude);
+  const std::vector<double> path = path_through(turns, 200);
+  for (const testing::RecordNoise& noise : {kExact, testing::RecordNoise{2e-4, 1e-4, kNone}}) {
+    ForceRecord record = simulated_record(joint, path, 1, noise);
+    for (const RecordCycle& cycle : cycles_of(record).cycles) {
+      EXPECT_FALSE(cycle.has_flag(kMeanMoves)) << cycle.first;
+    }
+    for (std::size_t i = 0; i < record.size(); ++i) {
+      record.displacement[i] += kDrift * static_cast<double>(i) / 400.0;
+    }
+    const RecordCycles drifting = cycles_of(record);
+    ASSERT_GE(drifting.cycles.size(), 17U);
+    const double turn_force = secant_stiffness(joint, kAmplitude) * kAmplitude;
+    const double missing = turn_force * kDrift;
+    EXPECT_GT(missing, 0.02 * dissipation(joint, kAmplitude));
+    for (const RecordCycle& cycle : drifting.cycles) {
+      EXPECT_TRUE(cycle.has_flag(kMeanMoves)) << cycle.first;
+      EXPECT_NEAR(dissipation(joint, kAmplitude) - cycle.dissipation, missing, 0.25 * missing);
+    }
+  }
+}
+
 TEST(RecordCycles, LeaveOutWhatIsInTheNoise) {
   const Joint joint = testing::reference_joint();
   std::vector<double> turns{0.0};

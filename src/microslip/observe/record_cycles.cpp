@@ -35,9 +35,12 @@ constexpr double kResolved = 3.0;
 constexpr double kLeastNoise = 2e-5;
 /// Share of a branch from which its tangent at the tip is computed.
 constexpr double kTipShare = 0.125;
-/// The mean of a cycle moves by more than this share of its amplitude, so many times in a row.
+/// The mean of a cycle moves by more than this share of its amplitude, or by what changes its D by
+/// this share, so many times in a row; each time by so many deviations.
 constexpr double kMeanMoved = 0.02;
+constexpr double kDissipationMoved = 0.02;
 constexpr std::size_t kMovesInARow = 2;
+constexpr double kMoveDeviations = 2.0;
 
 double range_of(std::span<const double> values) {
   const auto [low, high] = std::ranges::minmax(values);
@@ -419,6 +422,16 @@ void leave_unresolved_out(RecordCycles& found) {
   found.unresolved = std::erase_if(found.cycles, out);
 }
 
+/// The least move of the mean that matters, m. Where it is that of the sensor and not of the joint,
+/// a cycle ends this much short of its turn or beyond it: D misses the force there, about k_eq A,
+/// times the move, which of a slim loop is a large share.
+double least_move(const RecordCycle& cycle) {
+  const double by_loss =
+      kDissipationMoved * cycle.dissipation / (cycle.secant_stiffness * cycle.amplitude);
+  const double deviation = std::numbers::sqrt2 * cycle.amplitude_std;  // of two means
+  return std::min(kMeanMoved * cycle.amplitude, std::max(by_loss, kMoveDeviations * deviation));
+}
+
 /// Whether the mean moves from one cycle to the next, which begins where that ends and is as large.
 /// @return −1, 0 or 1.
 int moved(const RecordCycle& before, const RecordCycle& cycle) {
@@ -426,7 +439,7 @@ int moved(const RecordCycle& before, const RecordCycle& cycle) {
   const bool next = cycle.first >= before.last && cycle.first + before.first < 2 * before.last;
   if (!alike || !next) return 0;
   const double by = cycle.mean_displacement - before.mean_displacement;
-  if (std::abs(by) < kMeanMoved * cycle.amplitude) return 0;
+  if (std::abs(by) < least_move(cycle)) return 0;
   return by > 0.0 ? 1 : -1;
 }
 

@@ -47,7 +47,10 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 53> kMeaning
      "stuck"},
     {"linear_loss_exceeds_all", "levels whose loss is below the linear loss were left out"},
     {"macro_slip", "all that can slip does: D contains no more information on the density"},
-    {"mean_moves", "the means of equal cycles drift to one side"},
+    {"mean_moves",
+     "the means of equal cycles drift to one side: where it is the displacement sensor that does, "
+     "D "
+     "is wrong by the force at a turn times the drift per cycle"},
     {"mode_lost", "the decay was cut off where its mode was lost"},
     {"model_misfit", "the modes leave more than 5 % of an accelerometer unexplained"},
     {"modes_modulate",
