@@ -330,7 +330,7 @@ TEST(campaignKinds, SaysWhatATorqueDoes) {
   const Sandbox box = laboratory();
   tighten(box, 1.05);
   const Outcome run = expect_done(box, kCall);
-  EXPECT_NE(run.out.find("per unit of torque_Nm"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("per Nm of torque"), std::string::npos) << run.out;
   const CsvTable found = table(box, "found/conditions.csv");
   ASSERT_EQ(found.rows(), 3U);
   EXPECT_EQ(found.text("condition"), (std::vector<std::string>{"order", "torque_Nm", "torque_Nm"}));
@@ -342,11 +342,11 @@ TEST(campaignKinds, SaysWhatATorqueDoes) {
   EXPECT_NEAR(offset[2] - offset[1], std::log(1.05), 0.006);
   EXPECT_NEAR(sigma[1], 0.005 / std::sqrt(24.0), 0.002);
   const std::string text = box.get("found/campaign.csv");
-  EXPECT_NE(text.find("# warning: conditions_pooled: tests at torque_Nm = 20, 25"),
+  EXPECT_NE(text.find("# warning: conditions_pooled: tests at torque 20, 25 Nm"),
             std::string::npos);
   EXPECT_NE(text.find("identify them separately"), std::string::npos);
   EXPECT_EQ(text.find("tests at order"), std::string::npos);  // all of one value
-  EXPECT_NE(text.find("# warning: condition_not_identified: swept is predicted at torque_Nm = 30"),
+  EXPECT_NE(text.find("# warning: condition_not_identified: swept is predicted at torque 30 Nm"),
             std::string::npos);
 }
 

@@ -431,7 +431,7 @@ TEST(CampaignConditions, StateATrend) {
   const std::vector<Warning> warnings = condition_warnings(campaign.file, all);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].code, "conditions_pooled");
-  EXPECT_NE(warnings[0].text.find("torque_Nm = 10, 15, 20"), std::string::npos);
+  EXPECT_NE(warnings[0].text.find("torque 10, 15, 20 Nm"), std::string::npos);
   const std::string beyond = "more than three standard deviations";
   EXPECT_LT(warnings[0].text.find("D at 20 differs by -3."), warnings[0].text.find(beyond));
   EXPECT_LT(warnings[0].text.find(beyond), warnings[0].text.find("the frequency of 20"));

@@ -82,15 +82,17 @@ TEST(ComparisonResults, CampaignsAreReadByTheirColumns) {
   CampaignFound found;
   add_campaign_table(
       {"campaign.csv",
+       "# title = Plate, three torques\n"
        "# warning: code: what.\n"
-       "test,use,session,condition_torque,part,source,amplitude [m],frequency [Hz],"
+       "test,use,session,condition_torque_Nm,part,source,amplitude [m],frequency [Hz],"
        "frequency_predicted [Hz],dissipation [J],dissipation_predicted [J],force_verdict,"
        "frequency_verdict\n"
        "a,identify,1,12,level,a.csv:1,1e-5,50,50.1,1e-6,2e-6,,\n"
        "b,predict,1,,peak,b.csv,,50,51,,,inside,outside\n"},
       found);
+  EXPECT_EQ(found.title, "Plate, three torques");
   ASSERT_EQ(found.entries.size(), 2U);
-  EXPECT_EQ(found.entries[0].conditions, "torque 12");
+  EXPECT_EQ(found.entries[0].conditions, "torque 12 Nm");
   EXPECT_EQ(found.entries[0].dissipation_predicted, 2e-6);
   EXPECT_EQ(found.entries[1].inside, 1U);
   EXPECT_EQ(found.entries[1].outside, 1U);

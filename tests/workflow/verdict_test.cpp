@@ -64,5 +64,16 @@ TEST(Verdict, EachCodeOnceAndFirstThatOfTheFiles) {
   EXPECT_TRUE(has(warnings, "joint_of_unknown_origin"));
 }
 
+// What the levels do not show again, as the effect of a torque, is said in the words of the file.
+TEST(Verdict, SaysWhatTheIdentificationSaid) {
+  ExperimentResults results = results_with_damping();
+  results.joint->warnings = {"conditions_pooled"};
+  results.joint->warning_texts = {"tests at two torques are identified together"};
+  const std::vector<Warning> warnings = warnings_of(results, {});
+  const auto found = std::ranges::find(warnings, "conditions_pooled", &Warning::code);
+  ASSERT_NE(found, warnings.end());
+  EXPECT_EQ(found->text, "tests at two torques are identified together");
+}
+
 }  // namespace
 }  // namespace microslip::verdict_test

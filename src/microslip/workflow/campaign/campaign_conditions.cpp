@@ -16,6 +16,7 @@
 
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/workflow/campaign/campaign_statistics.hpp"
+#include "microslip/workflow/campaign/condition_words.hpp"
 
 namespace microslip {
 namespace {
@@ -257,8 +258,9 @@ std::string values_text(const ConditionEffect& effect) {
 }
 
 std::string pooled_text(const ConditionEffect& effect) {
-  return fmt::format("tests at {} = {} are identified together: {}", printable(effect.name),
-                     values_text(effect), condition_verdict(effect).text);
+  return fmt::format("tests at {} are identified together: {}",
+                     condition_text(effect.name, values_text(effect)),
+                     condition_verdict(effect).text);
 }
 
 }  // namespace
@@ -345,9 +347,9 @@ std::vector<Warning> condition_warnings(const CampaignFile& campaign,
       }
       warnings.push_back(
           {"condition_not_identified",
-           fmt::format("{} is predicted at {} = {}, but the {} identified at {}: the effect of the "
+           fmt::format("{} is predicted at {}, but the {} identified at {}: the effect of the "
                        "difference is unknown.",
-                       test.name, printable(effect.name), printable(one->value),
+                       test.name, condition_text(effect.name, one->value),
                        campaign.of_model() ? "joints were" : "joint was", values_text(effect))});
     }
   }
@@ -362,7 +364,7 @@ std::string trend_text(const ConditionEffect& effect) {
   };
   add("D", effect.dissipation_trend);
   add("frequency", effect.frequency_trend);
-  return text.empty() ? text : fmt::format("{} per unit of {}", text, printable(effect.name));
+  return text.empty() ? text : fmt::format("{} per {}", text, condition_step(effect.name));
 }
 
 }  // namespace microslip

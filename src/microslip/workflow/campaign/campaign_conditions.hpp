@@ -53,7 +53,7 @@ struct ConditionVerdict {
 [[nodiscard]] std::vector<Warning> condition_warnings(const CampaignFile& campaign,
                                                       const std::vector<ConditionEffect>& effects);
 
-/// "D +0.62 ± 0.03 %, frequency -0.01 ± 0.002 % per unit of torque_Nm"; empty without a trend.
+/// "D +0.62 ± 0.03 %, frequency -0.01 ± 0.002 % per Nm of torque"; empty without a trend.
 [[nodiscard]] std::string trend_text(const ConditionEffect& effect);
 
 }  // namespace microslip

@@ -13,6 +13,7 @@
 #include <set>
 #include <string_view>
 
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 
@@ -234,6 +235,9 @@ std::string campaign_table(const DoneCampaign& done, const std::string& comment)
   const std::vector<CampaignRow> rows = rows_of(done);
   CsvWriter table;
   table.add_comment(comment);
+  if (!done.plan.title.empty()) {
+    table.add_comment(comment_entry(kTitleKey, "", printable(done.plan.title)));
+  }
   std::vector<std::size_t> tests;
   std::vector<std::string> parts;
   std::vector<std::string> sources;

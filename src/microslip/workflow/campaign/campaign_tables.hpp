@@ -12,6 +12,7 @@
 namespace microslip {
 
 // Keys of comments, see comment_entry.hpp.
+inline constexpr std::string_view kTitleKey = "title";  ///< of the campaign
 inline constexpr std::string_view kWithinSessionsKey = "repeatability_within_sessions";    ///< 1
 inline constexpr std::string_view kBetweenSessionsKey = "repeatability_between_sessions";  ///< 1
 inline constexpr std::string_view kCommonModesKey = "common_modes";  ///< of a condition: "no"

@@ -17,6 +17,7 @@
 #include "microslip/workflow/campaign/campaign_conditions.hpp"
 #include "microslip/workflow/campaign/campaign_leave_out.hpp"
 #include "microslip/workflow/campaign/campaign_tables.hpp"
+#include "microslip/workflow/campaign/condition_words.hpp"
 #include "microslip/workflow/compare/comparison_table.hpp"
 #include "microslip/workflow/compare/comparison_text.hpp"
 #include "microslip/workflow/text/table_cells.hpp"
@@ -129,6 +130,7 @@ ComparisonFound comparison_of(const NamedInput& input) {
 
 void add_campaign_table(const NamedInput& input, CampaignFound& found) {
   const CsvTable table(input.text, input.path);
+  found.title = find_entry(table.comments(), kTitleKey).value_or("");
   const CampaignColumns columns = campaign_columns(table);
   std::vector<CampaignEntry> entries(table.rows());
   for (const auto& [name, member] :
@@ -143,7 +145,8 @@ void add_campaign_table(const NamedInput& input, CampaignFound& found) {
     const std::string shown = name.substr(name.find('_') + 1);
     put_text(table, name, entries, [&](CampaignEntry& entry, const std::string& cell) {
       if (cell.empty()) return;
-      entry.conditions += fmt::format("{}{} {}", entry.conditions.empty() ? "" : ", ", shown, cell);
+      entry.conditions += entry.conditions.empty() ? "" : ", ";
+      entry.conditions += condition_text(shown, cell);
     });
   }
   for (const std::string& name : columns.verdicts) {

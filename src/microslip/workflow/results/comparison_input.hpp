@@ -13,7 +13,7 @@ namespace microslip {
 /// wrong.
 [[nodiscard]] ComparisonFound comparison_of(const NamedInput& input);
 
-/// campaign.csv: rows, and the warnings of its comments. @throws FormatError  as above.
+/// campaign.csv: rows, and title and warnings of its comments. @throws FormatError  as above.
 void add_campaign_table(const NamedInput& input, CampaignFound& found);
 
 /// sessions.csv. @throws FormatError  as above.

@@ -67,6 +67,7 @@ struct ConditionFound {
 
 /// Results of a campaign.
 struct CampaignFound {
+  std::string title = {};                       ///< may be empty
   std::vector<CampaignEntry> entries = {};      ///< of campaign.csv
   std::vector<SessionEffect> sessions = {};     ///< of sessions.csv
   std::string repeatability = {};               ///< in words; may be empty

@@ -368,6 +368,7 @@ class FolderReader {
     const auto campaign = find("campaign.csv", kCampaignTableKind);
     if (!campaign) return;
     add_campaign_table(*campaign, found);
+    if (!found.title.empty()) results_.title = found.title;
     campaign_hashes_ = hashes_in(*campaign);
     const auto read = [&](const std::string& name, std::string_view kind, const auto& add) {
       const auto input = find(name, kind);

@@ -158,7 +158,7 @@ std::vector<Warning> warnings_of(const ExperimentResults& results,
       if (results.joint->by_records) {
         all.push_back(warning);
       } else {
-        add(warning.code, "From the identification:");
+        add(warning.code, warning.text);
       }
     }
   }

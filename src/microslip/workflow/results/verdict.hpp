@@ -34,8 +34,8 @@ namespace microslip {
 
 /// Each warning once: of the files, of a joint that misses the levels or that they contradict, of
 /// the methods, flags of predictions and of levels. The texts where the levels tell them again,
-/// else the codes as the files have them; of an identification from records all its warnings, of
-/// each record.
+/// else those of the files, which older ones lack; of an identification from records all its
+/// warnings, of each record.
 /// @param methods  of these results, where there is one.
 [[nodiscard]] std::vector<Warning> warnings_of(const ExperimentResults& results,
                                                const std::optional<MethodComparison>& methods);
