@@ -93,6 +93,12 @@ Eigen::MatrixXd stiffness_matrix(const ModalModel& linear,
   return matrix;
 }
 
+/// A share of k with the compliance in series, N/m.
+double with_compliance(const StructuralJoint& joint, double share) {
+  const double k = share * joint.joint.stiffness();
+  return k / (1.0 + k * joint.series_compliance);
+}
+
 double stuck_stiffness(const StructuralJoint& joint) { return joint.stuck_stiffness(); }
 
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& matrix) {
@@ -193,10 +199,7 @@ void check_static_loads(const std::vector<StaticLoad>& loads, const ModalModel& 
 
 }  // namespace
 
-double StructuralJoint::stuck_stiffness() const {
-  const double k = joint.stiffness();
-  return k / (1.0 + k * series_compliance);
-}
+double StructuralJoint::stuck_stiffness() const { return with_compliance(*this, 1.0); }
 
 JointedStructure::JointedStructure(ModalModel linear, std::vector<StructuralJoint> joints,
                                    std::vector<Excitation> excitations, DampingLaw damping,
@@ -258,6 +261,25 @@ std::vector<double> JointedStructure::stuck_mode(std::size_t mode) const {
       stiffness_matrix(linear_, joints_, stuck_stiffness));
   const Eigen::VectorXd shape = solver.eigenvectors().col(static_cast<Index>(mode));
   return {shape.begin(), shape.end()};
+}
+
+SoftenedMode JointedStructure::softened_mode(std::span<const double> shares,
+                                             std::span<const double> near) const {
+  if (shares.size() != joints_.size() || near.size() != linear_.size()) {
+    throw InputError("softened mode",
+                     fmt::format("{} shares, {} entries", shares.size(), near.size()),
+                     "must have one share per joint, and a shape over all modes");
+  }
+  const auto stiffness = [&](const StructuralJoint& joint) {
+    return with_compliance(joint, shares[static_cast<std::size_t>(&joint - joints_.data())]);
+  };
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      stiffness_matrix(linear_, joints_, stiffness));
+  const Eigen::Map<const Eigen::VectorXd> wanted(near.data(), static_cast<Index>(near.size()));
+  Index mode = 0;
+  (solver.eigenvectors().transpose() * wanted).cwiseAbs().maxCoeff(&mode);
+  const Eigen::VectorXd shape = solver.eigenvectors().col(mode);
+  return {std::sqrt(std::max(solver.eigenvalues()(mode), 0.0)), {shape.begin(), shape.end()}};
 }
 
 }  // namespace microslip

@@ -65,6 +65,12 @@ struct StaticLoad {
       0.0;  ///< force at a point, N; acceleration of a base, m/s², −g of a weight along it
 };
 
+/// A vibration of the structure with joints that have lost stiffness.
+struct SoftenedMode {
+  double angular_frequency = 0.0;  ///< rad/s
+  std::vector<double> shape;       ///< over the modes q_i, of length 1 (mass-normalised)
+};
+
 /// A linear structure in modal form, its joints and its excitations:
 ///
 ///     q̈_i + damping + ω_i² q_i = Σ_d φ_i(d) f_d(t) + what the joints do (see StructuralJoint)
@@ -118,6 +124,13 @@ class JointedStructure {
   /// The shape of such a vibration over the modes q_i, of length 1 (mass-normalised).
   /// @param mode  by frequency, from 0. @throws InputError  where there are not so many vibrations.
   [[nodiscard]] std::vector<double> stuck_mode(std::size_t mode) const;
+
+  /// The vibration with a share of each joint's stiffness k, as at amplitudes at which it slips,
+  /// whose shape overlaps most with another: a mode followed while the joints become softer.
+  /// @param shares  of k, 0 to 1; one per joint. @param near  a shape over the modes q_i.
+  /// @throws InputError  for another number of shares or of entries.
+  [[nodiscard]] SoftenedMode softened_mode(std::span<const double> shares,
+                                           std::span<const double> near) const;
 
  private:
   ModalModel linear_;

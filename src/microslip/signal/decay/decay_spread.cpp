@@ -185,7 +185,7 @@ DecaySpread spread_of(const DecayTask& task, const DecayWindow& window, double n
   const double mode = window.omega / (2.0 * std::numbers::pi);
   const double lowest = std::max(task.lowest, mode - kLinesAbout / window.length);
   const double highest = std::min(task.highest, mode + kLinesAbout / window.length);
-  const DecayPoint point = decay_point(window, task.derivatives, noise_variance);
+  const DecayPoint point = decay_point(window, task.measured, noise_variance);
   DecaySpread spread;
   double count = 0.0;
   for (const OtherLength& choice : kOtherLengths) {
@@ -196,7 +196,7 @@ DecaySpread spread_of(const DecayTask& task, const DecayWindow& window, double n
     const auto other =
         fit_decay_values(task.signal, task.rate, window.centre, length, lowest, highest);
     if (!other) continue;
-    const DecayPoint there = decay_point(*other, task.derivatives, noise_variance);
+    const DecayPoint there = decay_point(*other, task.measured, noise_variance);
     const auto beyond = [](double a, double b, double deviation, double share) {
       return square(b / a - 1.0) - share * square(deviation / a);
     };
@@ -221,7 +221,7 @@ std::vector<DecayPoint> points_of(const DecayTask& task, std::span<const DecayWi
   std::vector<DecayPoint> noisy;
   noisy.reserve(windows.size());
   for (const DecayWindow& window : windows) {
-    noisy.push_back(decay_point(window, task.derivatives, noise_variance));
+    noisy.push_back(decay_point(window, task.measured, noise_variance));
   }
   std::vector<DecayPoint> points = noisy;
   for (std::size_t i = 0; i < windows.size(); ++i) {

@@ -278,10 +278,11 @@ double begin_of_decay(const DecayTrack& track, double rate, double separation, D
                    "found.");
 }
 
-void set_task(DecayTrack& track, double rate, int derivatives, const RingDownOptions& options) {
+void set_task(DecayTrack& track, double rate, const MeasuredMotion& measured,
+              const RingDownOptions& options) {
   const double f = track.frequency;
   DecayTask& task = track.task;
-  task = {.signal = track.motion, .rate = rate, .derivatives = derivatives};
+  task = {.signal = track.motion, .rate = rate, .measured = measured};
   task.to = static_cast<double>(track.motion.size() - 1) / rate;
   double separation = separation_of(f, neighbours_of(from_blow(track, rate), rate, f), options);
   if (!options.from) task.from = begin_of_decay(track, rate, separation, track.start_by);
@@ -329,7 +330,8 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
                         const RingDownOptions& options, double origin) {
   check_options(options, rate);
   check_signal(signal);
-  const int derivatives = derivatives_of(measured);
+  const MeasuredMotion what{derivatives_of(measured),
+                            options.shapes.empty() ? ShapeCourse{} : options.shapes.front()};
   const Cut part = cut(signal, rate, options, origin);
   check_signal(part.signal);
   DecayTrack track;
@@ -339,7 +341,7 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
   if (track.blow) *track.blow += track.offset;
   const std::vector<SpectralPeak> peaks = parted_peaks(from_blow(track, rate), rate);
   track.frequency = choose_frequency(from_blow(track, rate), rate, options, peaks);
-  set_task(track, rate, derivatives, options);
+  set_task(track, rate, what, options);
   if (looks_clipped(behind(track.motion, rate, track.task.from))) {
     throw InputError("signal", "clipped", "must not stay at its largest value repeatedly: clipped",
                      "Begin later, where the signal is within the range of the instrument.");
@@ -353,7 +355,7 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
   track.second =
       find_second_oscillation(track.task, track.walk.windows, track.walk.noise_variance, before);
   if (track.second) {
-    add_shifts(*track.second, track.walk.windows, derivatives, track.points);
+    add_shifts(*track.second, track.walk.windows, what, track.points);
   }
   return track;
 }

@@ -43,7 +43,8 @@ struct DecayTrack {
 };
 
 /// Follows a signal; without windows where no decay is found.
-/// @param origin  s on the axis of the recording, of the first sample.
+/// @param options  `shapes` is empty or that of the signal.
+/// @param origin   s on the axis of the recording, of the first sample.
 /// @throws InputError  as ring_down().
 [[nodiscard]] DecayTrack follow_decay(std::span<const double> signal, double rate,
                                       const Dimension& measured, const RingDownOptions& options,

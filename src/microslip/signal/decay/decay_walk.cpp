@@ -129,7 +129,7 @@ class Walker {
     };
     if (!found) return end(near_noise() ? WalkEnd::kNoise : WalkEnd::kLost);
     const double noise = noise_.value_or(found->noise_variance);
-    const DecayPoint point = decay_point(*found, task_.derivatives, noise);
+    const DecayPoint point = decay_point(*found, task_.measured, noise);
     if (!walk_.windows.empty() && rises(walk_.windows.back(), *found, noise)) {
       return end(WalkEnd::kRise);
     }
@@ -145,7 +145,7 @@ class Walker {
     if (walk_.windows.empty()) return false;
     const DecayWindow& last = walk_.windows.back();
     const DecayPoint point =
-        decay_point(last, task_.derivatives, noise_.value_or(last.noise_variance));
+        decay_point(last, task_.measured, noise_.value_or(last.noise_variance));
     return point.damping_std > kNear * task_.largest_std * point.damping;
   }
 
@@ -157,12 +157,13 @@ class Walker {
 
 }  // namespace
 
-DecayPoint decay_point(const DecayWindow& window, int derivatives, double noise_variance) {
-  const int n = derivatives;
+DecayPoint decay_point(const DecayWindow& window, const MeasuredMotion& measured,
+                       double noise_variance) {
+  const int n = measured.derivatives;
   const double omega = window.omega;
   const double pole = std::hypot(omega, window.decay);
-  const double c = n - 2;
-  // ζω = −Ȧ/A − 2ω̇/ω = δ + (n − 2)ω̇/ω
+  const double c = n - 2 + measured.shape.slope_at(omega);
+  // ζω = −q̇/q − 2ω̇/ω = δ + (n − 2 + d ln φ/d ln ω)ω̇/ω
   const double rate = window.decay + c * window.chirp / omega;
   DecayPoint point;
   point.amplitude = window.amplitude / std::pow(pole, n);
@@ -184,8 +185,10 @@ DecayPoint decay_point(const DecayWindow& window, int derivatives, double noise_
   };
   point.amplitude_std = point.amplitude * deviation(log_slope);
   point.omega_std = deviation(omega_slope);
-  point.damping_std = deviation(damping_slope);
-  point.loss_std = deviation(loss_slope);
+  // By the shape, which is that of a model.
+  const double by_shape = measured.shape.slope_std_at(omega) * window.chirp / omega;
+  point.damping_std = std::hypot(deviation(damping_slope), by_shape / omega);
+  point.loss_std = std::hypot(deviation(loss_slope), unit * by_shape);
   return point;
 }
 

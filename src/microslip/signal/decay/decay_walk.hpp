@@ -5,19 +5,26 @@
 #include <vector>
 
 #include "microslip/signal/decay/decay_window.hpp"
+#include "microslip/signal/decay/shape_course.hpp"
 
 /// @file
 /// Windows one behind the other along a decay, each as long as it has to be. Internal to signal.
 
 namespace microslip {
 
+/// What a sensor measures of the mode.
+struct MeasuredMotion {
+  int derivatives = 0;     ///< of displacement
+  ShapeCourse shape = {};  ///< of the mode there
+};
+
 /// The task of the walk. A window is as long as the noise, the leakage of other modes and the least
 /// fall require: over a smaller fall any small disturbance looks like damping.
 struct DecayTask {
   std::span<const double> signal;
-  double rate = 0.0;    ///< Hz
-  int derivatives = 0;  ///< of displacement that the signal is
-  double from = 0.0;    ///< s from the first sample: the range of the decay
+  double rate = 0.0;  ///< Hz
+  MeasuredMotion measured = {};
+  double from = 0.0;  ///< s from the first sample: the range of the decay
   double to = 0.0;
   double lowest = 0.0;  ///< Hz, where the mode's frequency is sought
   double highest = 0.0;
@@ -43,8 +50,9 @@ struct DecayPoint {
 };
 
 /// With n = 0, 1, 2 derivatives of displacement measured, A = e^u/ω^n and −Ȧ/A = δ + nω̇/ω, up to
-/// terms of the order ζ² that are kept for a constant ω.
-[[nodiscard]] DecayPoint decay_point(const DecayWindow& window, int derivatives,
+/// terms of the order ζ² that are kept for a constant ω. Where the shape of the mode moves with its
+/// frequency the modal amplitude q = A/φ(ω) decays, and −q̇/q = −Ȧ/A + (d ln φ/d ln ω) ω̇/ω.
+[[nodiscard]] DecayPoint decay_point(const DecayWindow& window, const MeasuredMotion& measured,
                                      double noise_variance);
 
 enum class WalkEnd { kRecord, kNoise, kRise, kLost };

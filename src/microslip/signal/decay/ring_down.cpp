@@ -160,10 +160,12 @@ std::vector<SensorTrack> follow_all(const Recording& recording,
                                     const RingDownOptions& options,
                                     std::vector<Warning>& warnings) {
   std::vector<SensorTrack> tracks;
-  for (const std::string& channel : channels) {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const std::string& channel = channels[i];
     (void)motion_of(recording, channel);
     try {
       RingDownOptions sought = options;
+      if (!options.shapes.empty()) sought.shapes = {options.shapes[i]};
       if (!tracks.empty()) sought.frequency = tracks.front().track.frequency;
       DecayTrack track = follow(recording, channel, sought, warnings);
       const std::string other =
@@ -184,9 +186,13 @@ std::vector<SensorTrack> follow_all(const Recording& recording,
   return tracks;
 }
 
-void check_channels(std::span<const std::string> channels) {
+void check_channels(std::span<const std::string> channels, const RingDownOptions& options) {
   if (channels.empty()) {
     throw InputError("channels", InputState{"missing"}, "must name at least one sensor");
+  }
+  if (!options.shapes.empty() && options.shapes.size() != channels.size()) {
+    throw InputError("number of shapes", fmt::format("{}", options.shapes.size()),
+                     fmt::format("must be that of the channels, {}", channels.size()));
   }
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto before = channels.first(i);
@@ -218,7 +224,7 @@ RingDown ring_down(const Recording& recording, std::span<const std::string> chan
                    const RingDownOptions& options) {
   const Stopwatch watch;
   check_recording(recording);
-  check_channels(channels);
+  check_channels(channels, options);
   std::vector<Warning> warnings;
   const std::vector<SensorTrack> tracks = follow_all(recording, channels, options, warnings);
   const Dimension measured = motion_of(recording, channels.front()).measured;

@@ -33,6 +33,9 @@
 /// ω̇/(2ω), by its action ½mωA²) D is wrong by up to 3/2·ω̇/(δω). The amplitudes here are of the
 /// first harmonic, which stands for the peak within some tenths of a per cent; where D(A) has a
 /// kink, at the beginning of macro-slip, a window rounds it off.
+///
+/// Where slip moves the mode's shape (RingDownOptions::shapes), so does m = 1/φ², and the modal
+/// amplitude q = A/φ takes the place of A: (d ln φ/d ln ω) ω̇/ω² is added to ζ.
 
 namespace microslip {
 

@@ -3,6 +3,9 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "microslip/signal/decay/shape_course.hpp"
 
 namespace microslip {
 
@@ -31,6 +34,9 @@ struct RingDownOptions {
   double wanted_std = 0.005;
   /// The decay ends where the longest window exceeds this; above 0.
   double largest_std = 0.1;
+  /// How much each channel moves in the mode as its frequency changes, one per channel; empty where
+  /// shapes are fixed.
+  std::vector<ShapeCourse> shapes = {};
 };
 
 }  // namespace microslip

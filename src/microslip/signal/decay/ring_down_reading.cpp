@@ -42,8 +42,8 @@ double shift_that_counts(const DecayTrack& track, std::size_t i) {
   constexpr double kSure = 2.0;
   if (!track.second) return 0.0;
   const DecayWindow& window = track.walk.windows[i];
-  const DecayPoint noise = decay_point(window, track.task.derivatives, track.walk.noise_variance);
-  const double moved = std::abs(relative_shift(*track.second, window, track.task.derivatives));
+  const DecayPoint noise = decay_point(window, track.task.measured, track.walk.noise_variance);
+  const double moved = std::abs(relative_shift(*track.second, window, track.task.measured));
   return moved > std::max(kLeaks, kSure * noise.damping_std / noise.damping) ? moved : 0.0;
 }
 
@@ -68,7 +68,7 @@ void flag_windows(const DecayTrack& track, std::vector<std::string>& flags) {
     if (relative_leakage(track.walk.windows[i]) > kLeaks) add_flag(flags[i], "neighbour_leaks");
     const DecayPoint& own = track.points[i];
     const DecayPoint noise =
-        decay_point(track.walk.windows[i], track.task.derivatives, track.walk.noise_variance);
+        decay_point(track.walk.windows[i], track.task.measured, track.walk.noise_variance);
     if (shift_that_counts(track, i) > 0.0) add_flag(flags[i], second_code(track));
     const double spread = std::sqrt(
         std::max(0.0, own.damping_std * own.damping_std - noise.damping_std * noise.damping_std));
@@ -133,7 +133,7 @@ std::string second_text(const DecayTrack& track, std::size_t moved, double worst
           ? fmt::format(
                 "A steady tone of {:.5g} Hz, {:.3g} {} at this sensor ({:.2g} of the first "
                 "amplitude),",
-                frequency, second.amplitude, unit_of(track.task.derivatives), second.ratio)
+                frequency, second.amplitude, unit_of(track.task.measured.derivatives), second.ratio)
           : fmt::format(
                 "A second oscillation at {:.6g} Hz, {:.2g} of the first amplitude and with "
                 "a damping ratio of {:.2g},",
@@ -144,7 +144,7 @@ std::string second_text(const DecayTrack& track, std::size_t moved, double worst
       "a "
       "damping ratio of {:.4g}.",
       what, track.frequency, 100.0 * worst, moved, track.walk.windows.size(),
-      decay_point(second.mode_at(track.walk.windows.front().centre), track.task.derivatives, 0.0)
+      decay_point(second.mode_at(track.walk.windows.front().centre), track.task.measured, 0.0)
           .damping);
 }
 

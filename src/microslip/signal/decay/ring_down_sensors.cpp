@@ -25,7 +25,15 @@ constexpr double kFixedShape = 0.01;
 struct SensorPoint {
   DecayPoint all;
   DecayPoint noise;
+  double shape = 0.0;  ///< see ShapeCourse::log_motion
+
+  /// ln of the amplitude that it would have in the shape with stuck joints.
+  [[nodiscard]] double log_amplitude() const { return std::log(all.amplitude) - shape; }
 };
+
+SensorPoint sensor_point(const DecayTrack& track, const DecayPoint& all, const DecayPoint& noise) {
+  return {all, noise, track.task.measured.shape.log_motion_at(all.omega)};
+}
 
 /// The point of each window; none where the sensor does not show the decay.
 using SensorPoints = std::vector<std::optional<SensorPoint>>;
@@ -70,7 +78,7 @@ std::size_t leader_of(const std::vector<SensorTrack>& tracks) {
 }
 
 DecayPoint noise_point(const DecayTrack& track, const DecayWindow& window) {
-  return decay_point(window, track.task.derivatives, track.walk.noise_variance);
+  return decay_point(window, track.task.measured, track.walk.noise_variance);
 }
 
 /// The points of a sensor in the windows of another.
@@ -95,9 +103,9 @@ SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
     noisy.push_back(noise);
   }
   std::vector<DecayPoint> found = points_of(track.task, windows, track.walk.noise_variance);
-  if (track.second) add_shifts(*track.second, windows, track.task.derivatives, found);
+  if (track.second) add_shifts(*track.second, windows, track.task.measured, found);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    points[places[i]] = SensorPoint{found[i], noisy[i]};
+    points[places[i]] = sensor_point(track, found[i], noisy[i]);
   }
   return points;
 }
@@ -105,7 +113,8 @@ SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
 SensorPoints points_in_own(const DecayTrack& track) {
   SensorPoints points;
   for (std::size_t i = 0; i < track.points.size(); ++i) {
-    points.emplace_back(SensorPoint{track.points[i], noise_point(track, track.walk.windows[i])});
+    points.emplace_back(
+        sensor_point(track, track.points[i], noise_point(track, track.walk.windows[i])));
   }
   return points;
 }
@@ -131,7 +140,7 @@ RatioOverDecay log_ratio_of(const SensorPoints& points, const SensorPoints& lead
   double sum = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i] || !leader[i]) continue;
-    const double log = std::log(points[i]->all.amplitude / leader[i]->all.amplitude);
+    const double log = points[i]->log_amplitude() - leader[i]->log_amplitude();
     const double weight =
         1.0 / (relative_variance(points[i]->all) + relative_variance(leader[i]->all) + 1e-16);
     weights += weight;
@@ -214,11 +223,11 @@ class Combination {
         return SensorValue{p.all.omega, square_of(p.all.omega_std), square_of(p.noise.omega_std)};
       });
       const SensorMean log = mean_at(i, [&](std::size_t s, const SensorPoint& p) {
-        return SensorValue{std::log(p.all.amplitude) + to_first - ratios_[s].mean,
-                           relative_variance(p.all), relative_variance(p.noise)};
+        return SensorValue{p.log_amplitude() + to_first - ratios_[s].mean, relative_variance(p.all),
+                           relative_variance(p.noise)};
       });
       const SensorMean loss = mean_at(i, [&](std::size_t s, const SensorPoint& p) {
-        return SensorValue{std::log(p.all.loss) + 2.0 * (to_first - ratios_[s].mean),
+        return SensorValue{std::log(p.all.loss) + 2.0 * (to_first - ratios_[s].mean - p.shape),
                            square_of(p.all.loss_std / p.all.loss),
                            square_of(p.noise.loss_std / p.noise.loss)};
       });
@@ -230,7 +239,8 @@ class Combination {
   void add_point(const SensorMean& damping, const SensorMean& omega, const SensorMean& log,
                  double loss_variance) {
     DecayPoint point;
-    point.amplitude = std::exp(log.value);
+    const ShapeCourse& first = tracks_.front().track.task.measured.shape;
+    point.amplitude = std::exp(log.value + first.log_motion_at(omega.value));
     point.amplitude_std = point.amplitude * std::sqrt(log.variance);
     point.omega = omega.value;
     point.omega_std = std::sqrt(omega.variance);
@@ -310,8 +320,8 @@ class Combination {
       for (std::size_t i = 0; i < result_.flags.size(); ++i) {
         if (!points_[s][i] || !lead[i]) continue;
         ++common;
-        const double off = std::abs(
-            std::log(points_[s][i]->all.amplitude / lead[i]->all.amplitude) - ratios_[s].mean);
+        const double off =
+            std::abs(points_[s][i]->log_amplitude() - lead[i]->log_amplitude() - ratios_[s].mean);
         const double deviation =
             std::sqrt(relative_variance(points_[s][i]->all) + relative_variance(lead[i]->all));
         if (off <= std::max(kSure * deviation, kFixedShape)) continue;

@@ -313,15 +313,16 @@ std::optional<SecondOscillation> find_second_oscillation(const DecayTask& task,
   return found;
 }
 
-double relative_shift(const SecondOscillation& second, const DecayWindow& window, int derivatives) {
-  const double alone = decay_point(second.mode_at(window.centre), derivatives, 0.0).damping;
-  return decay_point(window, derivatives, 0.0).damping / alone - 1.0;
+double relative_shift(const SecondOscillation& second, const DecayWindow& window,
+                      const MeasuredMotion& measured) {
+  const double alone = decay_point(second.mode_at(window.centre), measured, 0.0).damping;
+  return decay_point(window, measured, 0.0).damping / alone - 1.0;
 }
 
 void add_shifts(const SecondOscillation& second, std::span<const DecayWindow> windows,
-                int derivatives, std::span<DecayPoint> points) {
+                const MeasuredMotion& measured, std::span<DecayPoint> points) {
   for (std::size_t i = 0; i < windows.size(); ++i) {
-    const DecayPoint alone = decay_point(second.mode_at(windows[i].centre), derivatives, 0.0);
+    const DecayPoint alone = decay_point(second.mode_at(windows[i].centre), measured, 0.0);
     DecayPoint& point = points[i];
     point.amplitude_std = std::hypot(point.amplitude_std, point.amplitude - alone.amplitude);
     point.omega_std = std::hypot(point.omega_std, point.omega - alone.omega);

@@ -52,11 +52,11 @@ struct SecondOscillation {
 
 /// Relative shift of ζ of a window by the second oscillation.
 [[nodiscard]] double relative_shift(const SecondOscillation& second, const DecayWindow& window,
-                                    int derivatives);
+                                    const MeasuredMotion& measured);
 
 /// Adds to the standard deviations what the second oscillation moves the windows by, also where
 /// that is too little to be flagged.
 void add_shifts(const SecondOscillation& second, std::span<const DecayWindow> windows,
-                int derivatives, std::span<DecayPoint> points);
+                const MeasuredMotion& measured, std::span<DecayPoint> points);
 
 }  // namespace microslip

@@ -21,6 +21,7 @@
 #include "microslip/workflow/reduce/decay_signal.hpp"
 #include "microslip/workflow/reduce/decay_text.hpp"
 #include "microslip/workflow/reduce/point_sensors.hpp"
+#include "microslip/workflow/reduce/sensor_shapes.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -38,6 +39,8 @@ struct SoughtMode {
   std::size_t number = 1;                  ///< from 1
   double frequency = 0.0;                  ///< with stuck joints, Hz
   std::vector<std::string> channels = {};  ///< of those sensors that it moves, the best first
+  std::vector<ShapeCourse> shapes = {};    ///< at these sensors
+  ShapeCourse response_shape = {};         ///< at the response point
   double to_response = 1.0;       ///< displacement at the response point over the first sensor
   bool response_measured = true;  ///< the first sensor is at the response point
   double joint_motion =
@@ -64,6 +67,7 @@ SoughtMode sought_mode(const ModelFile& model, const std::vector<PointSensor>& s
     double moved;
     bool at_response;
     std::string channel;
+    std::string point;
   };
   std::vector<Seen> seen;
   double most = 0.0;
@@ -72,7 +76,7 @@ SoughtMode sought_mode(const ModelFile& model, const std::vector<PointSensor>& s
     // A point of another name may be the same place.
     const bool at_response =
         std::ranges::equal(linear.shape(sensor.point), linear.shape(model.response));
-    seen.push_back({moved, at_response, sensor.channel});
+    seen.push_back({moved, at_response, sensor.channel, sensor.point});
     most = std::max(most, moved);
   }
   std::erase_if(seen, [&](const Seen& sensor) { return !(sensor.moved > kLeastMoved * most); });
@@ -83,7 +87,11 @@ SoughtMode sought_mode(const ModelFile& model, const std::vector<PointSensor>& s
       .number = mode + 1,
       .frequency = model.structure.stuck_frequencies()[mode] / (2.0 * std::numbers::pi)};
   if (seen.empty()) return sought;
-  for (const Seen& sensor : seen) sought.channels.push_back(sensor.channel);
+  for (const Seen& sensor : seen) {
+    sought.channels.push_back(sensor.channel);
+    sought.shapes.push_back(shape_course(model.structure, mode, linear.shape(sensor.point)));
+  }
+  sought.response_shape = shape_course(model.structure, mode, linear.shape(model.response));
   sought.response_measured = seen.front().at_response;
   if (!sought.response_measured) {
     sought.to_response = moved_by(shape, linear.shape(model.response)) / seen.front().moved;
@@ -106,6 +114,17 @@ bool is_nearest(const RingDown& decay, const std::vector<SoughtMode>& all, std::
   return nearest->number == number;
 }
 
+/// The displacement at the response point over that at the first sensor changes with the shape.
+void move_shape(const SoughtMode& sought, RingDownLevels& levels) {
+  for (std::size_t i = 0; i < levels.amplitude.size(); ++i) {
+    const double omega = 2.0 * std::numbers::pi * levels.frequency[i];
+    const double ratio = std::exp(sought.response_shape.log_motion_at(omega) -
+                                  sought.shapes.front().log_motion_at(omega));
+    levels.amplitude[i] *= ratio;
+    levels.amplitude_std[i] *= ratio;
+  }
+}
+
 ModalDecay follow_mode(const Recording& recording, const SoughtMode& sought,
                        const RingDownOptions& given, const std::vector<SoughtMode>& all) {
   if (sought.channels.empty() || !(sought.to_response > 0.0)) {
@@ -114,6 +133,7 @@ ModalDecay follow_mode(const Recording& recording, const SoughtMode& sought,
   }
   RingDownOptions options = given;
   options.frequency = sought.frequency;
+  options.shapes = sought.shapes;
   ModalDecay result{sought.number, ring_down(recording, sought.channels, options), {}};
   if (!is_nearest(result.decay, all, sought.number)) {
     throw InputError(fmt::format("{}: mode {}", recording.source, sought.number),
@@ -122,6 +142,7 @@ ModalDecay follow_mode(const Recording& recording, const SoughtMode& sought,
                                  sought.frequency));
   }
   result.levels = damping_levels_of(result.decay, sought.to_response);
+  move_shape(sought, result.levels);
   return result;
 }
 
@@ -182,7 +203,8 @@ void flag_shape(FollowedMode& mode, std::vector<Warning>& warnings) {
       {std::string(kShapeAssumed),
        fmt::format(
            "mode {}: no sensor that it moves is at the response point: its displacement there is "
-           "taken as {:.4g} times that at '{}', as in the shape with stuck joints.",
+           "taken as {:.4g} times that at '{}' with stuck joints, and as the model's shape moves "
+           "while they slip.",
            mode.sought.number, mode.sought.to_response, mode.sought.channels.front())});
 }
 
@@ -224,7 +246,10 @@ std::vector<FollowedMode> follow_modes(const ModalDecayReduction& options,
   std::vector<std::exception_ptr> faults(sought.size());
   const auto follow = [&](std::size_t i) {
     SoughtMode mode = sought[i];
-    if (!is_asked_for(options, mode.number) && mode.channels.size() > 1) mode.channels.resize(1);
+    if (!is_asked_for(options, mode.number) && mode.channels.size() > 1) {
+      mode.channels.resize(1);
+      mode.shapes.resize(1);
+    }
     try {
       found[i] = FollowedMode{mode, follow_mode(recording, mode, options.analysis, sought)};
     } catch (const InputError&) {

@@ -56,8 +56,9 @@ struct ReducedModalDecay {
 ///
 /// With a model each of its modes is sought near its frequency with stuck joints, at the sensors
 /// that it moves. The displacement is that of a sensor at the response point; where there is none
-/// that can be followed, that of another sensor times the ratio of the stuck mode's shape, with the
-/// warning and flag `shape_assumed`: shapes change as joints slip.
+/// that can be followed, that of another sensor times the ratio in the model's shape, with the
+/// warning and flag `shape_assumed`. The shape moves as joints slip: at a frequency it is that of
+/// joints that are all softer by the same share, in the ratio and in the damping (see ShapeCourse).
 ///
 /// Modes that ring at once in one joint modulate each other: while one is large the other slips
 /// more. Levels during which the others, as far as they could be followed, move the joints by more
