@@ -142,6 +142,17 @@ TEST(MeshRows, SayWhichNodesThereAre) {
       "10 nodes from 1 to 13, with gaps; the one before is 8; the one after is 12");
 }
 
+// Of a shell each face has a row: the node is between them.
+TEST(PlaceMotion, OfANodeWithSeveralRowsIsTheirMean) {
+  MeshedStructure structure = cloud(2, 4);
+  structure.matrices.degrees[3] = structure.matrices.degrees[0];
+  structure.matrices.expanded = true;
+  const MeshRows rows(structure);
+  const std::int64_t node = structure.matrices.degrees[0].node;
+  const Motion motion = place_motion(rows, {.name = "node", .nodes = {node}}, {});
+  EXPECT_EQ(motion, (Motion{{0, 0.5}, {3, 0.5}}));
+}
+
 TEST(MeshRows, RefuseDegreesOfFreedomThatAreTwice) {
   MeshedStructure structure = cloud(2, 4);
   structure.matrices.degrees[3] = structure.matrices.degrees[0];

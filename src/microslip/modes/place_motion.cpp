@@ -26,13 +26,21 @@ std::string_view direction_name(NodalDirection direction) {
 
 std::string node_name(std::int64_t node) { return fmt::format("node {}", node); }
 
+/// Adds a degree of freedom of a node: the mean of its rows.
+void add_degree(const MeshRows& rows, const std::string& place, std::int64_t node,
+                NodalDirection direction, double weight, Motion& motion) {
+  const std::vector<std::size_t> own = rows.rows_of(place, node, direction);
+  const double share = weight / static_cast<double>(own.size());
+  for (const std::size_t row : own) motion.emplace_back(row, share);
+}
+
 /// Adds θ·m of one node by its own rotations.
 void add_own_rotation(const MeshRows& rows, const MeshPlace& place, const Eigen::Vector3d& m,
                       Motion& motion) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double weight = m(static_cast<Eigen::Index>(k));
     if (weight != 0.0) {
-      motion.emplace_back(rows.row(place.name, place.nodes.front(), about(k)), weight);
+      add_degree(rows, place.name, place.nodes.front(), about(k), weight, motion);
     }
   }
 }
@@ -60,7 +68,7 @@ void add_fitted_rotation(const MeshRows& rows, const MeshPlace& place, const Eig
     const Eigen::Vector3d weight = turned.cross(arms.col(static_cast<Eigen::Index>(i)));
     for (std::size_t k = 0; k < 3; ++k) {
       const double value = weight(static_cast<Eigen::Index>(k));
-      if (value != 0.0) motion.emplace_back(rows.row(place.name, place.nodes[i], along(k)), value);
+      if (value != 0.0) add_degree(rows, place.name, place.nodes[i], along(k), value, motion);
     }
   }
 }
@@ -80,7 +88,7 @@ void add_mean(const MeshRows& rows, const MeshPlace& place, const Vector3& direc
   for (const std::int64_t node : place.nodes) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (direction[k] != 0.0) {
-        motion.emplace_back(rows.row(place.name, node, along(k)), share * direction[k]);
+        add_degree(rows, place.name, node, along(k), share * direction[k], motion);
       }
     }
   }
@@ -96,11 +104,14 @@ MeshRows::MeshRows(const MeshedStructure& structure, RowsOf rows_of)
                      fmt::format("must be {}, one per row of the matrices", size()));
   }
   for (std::size_t i = 0; i < degrees.size(); ++i) {
-    if (rows_.emplace(degrees[i], i).second) continue;
-    throw InputError(
-        "degree of freedom",
-        fmt::format("node {} {}", degrees[i].node, direction_name(degrees[i].direction)),
-        fmt::format("must be that of one row, not of {} and {}", rows_[degrees[i]] + 1, i + 1));
+    const auto first = rows_.find(degrees[i]);
+    if (first != rows_.end() && !structure.matrices.expanded) {
+      throw InputError(
+          "degree of freedom",
+          fmt::format("node {} {}", degrees[i].node, direction_name(degrees[i].direction)),
+          fmt::format("must be that of one row, not of {} and {}", first->second + 1, i + 1));
+    }
+    rows_.emplace(degrees[i], i);
   }
   for (std::size_t i = 0; i < structure.nodes.size(); ++i) {
     if (nodes_.emplace(structure.nodes[i].number, i).second) continue;
@@ -111,15 +122,12 @@ MeshRows::MeshRows(const MeshedStructure& structure, RowsOf rows_of)
 
 std::size_t MeshRows::size() const { return structure_.matrices.stiffness.size; }
 
-std::optional<std::size_t> MeshRows::find(std::int64_t node, NodalDirection direction) const {
-  const auto found = rows_.find({node, direction});
-  if (found == rows_.end()) return std::nullopt;
-  return found->second;
-}
-
-std::size_t MeshRows::row(const std::string& place, std::int64_t node,
-                          NodalDirection direction) const {
-  if (const std::optional<std::size_t> found = find(node, direction)) return *found;
+std::vector<std::size_t> MeshRows::rows_of(const std::string& place, std::int64_t node,
+                                           NodalDirection direction) const {
+  std::vector<std::size_t> found;
+  const auto [begin, end] = rows_.equal_range({node, direction});
+  for (auto at = begin; at != end; ++at) found.push_back(at->second);
+  if (!found.empty()) return found;
   std::string there;
   for (const auto& [its, row] : rows(place, node)) {
     there += fmt::format("{}{}", there.empty() ? "" : ", ", direction_name(its));

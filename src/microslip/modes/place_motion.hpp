@@ -23,17 +23,17 @@ class MeshRows {
  public:
   /// @param structure  must outlive this object.
   /// @param rows_of    for messages; the rows of a test are its measured degrees of freedom.
-  /// @throws InputError  where two rows are of one degree of freedom, two nodes of one number, or
-  ///                     the number of rows differs from the given one.
+  /// @throws InputError  where two rows are of one degree of freedom and the matrices are not
+  ///                     expanded, two nodes of one number, or the number of rows differs from the
+  ///                     given one.
   explicit MeshRows(const MeshedStructure& structure, RowsOf rows_of = RowsOf::kMatrices);
 
   /// n.
   [[nodiscard]] std::size_t size() const;
-  /// The row of a degree of freedom; none where the matrices lack it.
-  [[nodiscard]] std::optional<std::size_t> find(std::int64_t node, NodalDirection direction) const;
+  /// The rows of a degree of freedom: one, or of expanded matrices several.
   /// @throws InputError  naming the place, the node and the directions that it has.
-  [[nodiscard]] std::size_t row(const std::string& place, std::int64_t node,
-                                NodalDirection direction) const;
+  [[nodiscard]] std::vector<std::size_t> rows_of(const std::string& place, std::int64_t node,
+                                                 NodalDirection direction) const;
   /// All rows of a node, with their directions. @throws InputError  where it has none.
   [[nodiscard]] std::vector<std::pair<NodalDirection, std::size_t>> rows(const std::string& place,
                                                                          std::int64_t node) const;
@@ -50,7 +50,7 @@ class MeshRows {
 
   const MeshedStructure& structure_;
   RowsOf rows_of_;
-  std::map<DegreeOfFreedom, std::size_t> rows_;
+  std::multimap<DegreeOfFreedom, std::size_t> rows_;
   std::unordered_map<std::int64_t, std::size_t> nodes_;
 };
 

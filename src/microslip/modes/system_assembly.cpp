@@ -132,13 +132,23 @@ class Transformation {
     const double size = std::max(std::sqrt(body.arms.colwise().squaredNorm().maxCoeff()), 1e-300);
     for (std::size_t i = 0; i < place.nodes.size(); ++i) {
       const Eigen::Vector3d arm = body.arms.col(static_cast<Index>(i)) / size;
+      std::set<NodalDirection> known;
       for (const auto& [direction, row] : rows_.rows(place.name, place.nodes[i])) {
+        if (!known.insert(direction).second) refuse_faces(place, place.nodes[i]);
         claim(place, row);
         bound.push_back(row);
         motions.push_back(rigid_motion(direction, arm, size));
       }
     }
     add_body(bound, motions);
+  }
+
+  /// Where the faces of a shell are, half its thickness off the node, no file tells.
+  [[noreturn]] static void refuse_faces(const MeshPlace& place, std::int64_t node) {
+    throw InputError(place.name, fmt::format("node {}", node),
+                     "must have one row per direction in a rigid spider, not those of the faces of "
+                     "a shell or beam",
+                     "Use spider = \"average\", or model it with solid elements.");
   }
 
   void claim(const MeshPlace& place, std::size_t row) {

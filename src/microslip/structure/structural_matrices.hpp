@@ -48,6 +48,9 @@ struct StructuralMatrices {
   SymmetricEntries mass;       ///< M, kg (kg m² of rotations); n × n
   /// One per row; empty where the degrees of freedom are not known.
   std::vector<DegreeOfFreedom> degrees = {};
+  /// Whether several rows may be of one degree of freedom, as of the faces of shells that were
+  /// expanded to solids: the node moves by their mean, and a force on it is shared by them.
+  bool expanded = false;
   double stiffness_rounding = 0.0;  ///< entry_rounding() of K as it was written; from 0
   double possible_rounding = 0.0;   ///< possible_entry_rounding() of K as it was written; from 0
 };

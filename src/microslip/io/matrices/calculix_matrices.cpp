@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -72,9 +71,7 @@ SymmetricEntries read_triangle(const std::string& job, std::string_view ending, 
   }
 }
 
-/// @param line_of  of each row, where it is asked for.
-std::vector<DegreeOfFreedom> parse_degree_lines(std::string_view text, std::string_view file,
-                                                std::vector<std::size_t>* line_of) {
+std::vector<DegreeOfFreedom> parse_degree_lines(std::string_view text, std::string_view file) {
   std::vector<DegreeOfFreedom> degrees;
   NumberLines lines(text, file);
   while (lines.next()) {
@@ -87,31 +84,14 @@ std::vector<DegreeOfFreedom> parse_degree_lines(std::string_view text, std::stri
       throw FormatError(lines.place(), "a node and its direction, 12.3 or 12 z", in_quotes(line));
     }
     degrees.push_back(*degree);
-    if (line_of != nullptr) line_of->push_back(lines.place().line);
   }
   if (!degrees.empty()) return degrees;
   throw FormatError({std::string(file), 0, 0}, "one line per row of the matrices", "none");
 }
 
-/// A line per row, each of another degree of freedom. @throws FormatError  where one is not.
-std::vector<DegreeOfFreedom> parse_different_degrees(std::string_view text, std::string_view file) {
-  std::vector<std::size_t> lines;
-  std::vector<DegreeOfFreedom> degrees = parse_degree_lines(text, file, &lines);
-  std::map<DegreeOfFreedom, std::size_t> row_of;
-  for (std::size_t i = 0; i < degrees.size(); ++i) {
-    const auto [first, is_new] = row_of.emplace(degrees[i], i);
-    if (is_new) continue;
-    const auto& [node, direction] = degrees[i];
-    throw FormatError(
-        {std::string(file), lines[i], 1}, "each degree of freedom once",
-        fmt::format("node {} {} again, that of line {}", node,
-                    kNodalDirectionNames[static_cast<std::size_t>(direction)],
-                    lines[first->second]),
-        "CalculiX expands shells and beams to solids, whose nodes it numbers as the first one. "
-        "Model them with solid elements; or give the matrices by the keys stiffness and mass "
-        "without degrees_of_freedom, and places by the key row.");
-  }
-  return degrees;
+bool have_repeated(std::vector<DegreeOfFreedom> degrees) {
+  std::ranges::sort(degrees);
+  return std::ranges::adjacent_find(degrees) != degrees.end();
 }
 
 }  // namespace
@@ -136,7 +116,7 @@ SymmetricEntries parse_triangle(std::string_view text, std::string_view file, st
 }
 
 std::vector<DegreeOfFreedom> parse_degrees(std::string_view text, std::string_view file) {
-  return parse_degree_lines(text, file, nullptr);
+  return parse_degree_lines(text, file);
 }
 
 std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {
@@ -146,7 +126,8 @@ std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {
 StructuralMatrices read_calculix_matrices(const std::string& job) {
   for (const char* ending : {".dof", ".sti", ".mas"}) check_named_file(job + ending);
   StructuralMatrices matrices;
-  matrices.degrees = parse_different_degrees(read_text(job + ".dof"), job + ".dof");
+  matrices.degrees = parse_degree_lines(read_text(job + ".dof"), job + ".dof");
+  matrices.expanded = have_repeated(matrices.degrees);
   const std::size_t size = matrices.degrees.size();
   matrices.stiffness = read_triangle(job, ".sti", size);
   matrices.mass = read_triangle(job, ".mas", size);
