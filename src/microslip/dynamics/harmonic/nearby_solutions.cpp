@@ -62,9 +62,9 @@ std::vector<VibrationResult> nearby_solutions(const JointedStructure& structure,
   BalanceRun run(structure, response, options);
   for (const auto& [first, second, start] : targets) {
     const Stopwatch watch;
-    BalanceRun::Outcome outcome{{}, to_unknowns(start, run.equations, options.harmonics)};
-    outcome.newton = newton(run.equations, first, second, run.newton_options, outcome.z);
-    results.push_back(solution_of(run, outcome, first, second));
+    VectorXd z = to_unknowns(start, run.equations, options.harmonics);
+    const NewtonResult found = newton(run.equations, first, second, run.newton_options, z);
+    results.push_back(solution_of(run, {found, z}, first, second));
     results.back().summary.wall_seconds = watch.seconds();
   }
   return results;
