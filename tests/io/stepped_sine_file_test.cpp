@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/documents/levels/stepped_sine_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <matio.h>
 
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <filesystem>
 #include <numbers>
@@ -15,6 +17,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
 #include "microslip/documents/levels/levels_file.hpp"
 #include "microslip/documents/structure/rig_file.hpp"
 #include "microslip/rig/reduction/reduction.hpp"
@@ -245,6 +248,116 @@ TEST(SteppedSineFile, BrakeReussBeam) {
     EXPECT_FALSE(level.secant_stiffness.has_value());
     EXPECT_TRUE(level.flags.empty());
   }
+}
+
+// ---- Frequency responses with the level of the response. ----
+
+/// A dataset 58 over uneven frequencies, 80, 80.5 and 81.5 Hz, of complex values.
+std::string dataset(int type, const std::string& numerator, const std::string& denominator,
+                    const std::array<std::complex<double>, 3>& values) {
+  constexpr std::array kFrequencies{80.0, 80.5, 81.5};
+  std::string text = "    -1\n    58\nsweep\nNONE\n11-JUN-24  10:12:00\nNONE\nNONE\n";
+  text += fmt::format(
+      "{:5}         1    1         0 PLATE              1   3 PLATE              1   3\n", type);
+  text +=
+      "         6         3         0  0.00000E+00  0.00000E+00  0.00000E+00\n"
+      "        18    0    0    0 Frequency            Hz                  \n";
+  text += fmt::format("{}{}         0    0    0    0 NONE                 NONE\n", numerator,
+                      denominator);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += fmt::format("{:13.5E}{:20.12E}{:20.12E}\n", kFrequencies[i], values[i].real(),
+                        values[i].imag());
+  }
+  return text + "    -1\n";
+}
+
+const std::string kAccelerationLine =
+    "        12    0    0    0 Acceleration         m/s^2               \n";
+const std::string kVelocityLine =
+    "        11    0    0    0 Velocity             m/s                 \n";
+const std::string kForceLine =
+    "        13    0    0    0 Excitation Force     N                   \n";
+const std::string kNoLine = "         0    0    0    0 NONE                 NONE                \n";
+
+// H = (4i − 3, 6i, 4) m/s²/N at responses of 2, 3 and 4 m/s²: forces of 0.4, 0.5 and 1 N. The
+// mobility of the same is H/(iω), whose level is a velocity.
+TEST(SteppedSineFile, ReadsFrequencyResponsesWithTheirLevels) {
+  const test::TemporaryFolder folder;
+  const std::array<std::complex<double>, 3> accelerance{{{-3.0, 4.0}, {0.0, 6.0}, 4.0}};
+  const std::array<std::complex<double>, 3> level{{2.0, {0.0, -3.0}, 4.0}};
+  std::array<std::complex<double>, 3> mobility{};
+  std::array<std::complex<double>, 3> velocity{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::complex<double> rate(0.0, 2.0 * std::numbers::pi *
+                                             (i == 0   ? 80.0
+                                              : i == 1 ? 80.5
+                                                       : 81.5));
+    mobility[i] = accelerance[i] / rate;
+    velocity[i] = level[i] / rate;
+  }
+  const std::string path = folder.file("sweep.unv");
+  for (const std::string& text : {dataset(4, kAccelerationLine, kForceLine, accelerance) +
+                                      dataset(12, kAccelerationLine, kNoLine, level),
+                                  dataset(4, kVelocityLine, kForceLine, mobility) +
+                                      dataset(12, kVelocityLine, kNoLine, velocity)}) {
+    test::put(path, "    -1\n   151\nPlate\nNONE\nTest system\n    -1\n" + text);
+    ASSERT_TRUE(is_stepped_sine(path));
+    const std::vector<SteppedSine> sweeps = read_stepped_sines(path);
+    ASSERT_EQ(sweeps.size(), 1U);
+    EXPECT_EQ(sweeps[0].frequency, (Numbers{80.0, 80.5, 81.5}));
+    const Numbers force{0.4, 0.5, 1.0};
+    const Numbers phase{std::atan2(4.0, -3.0), 0.5 * std::numbers::pi, 0.0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(sweeps[0].force[i], force[i], 1e-9);
+      EXPECT_NEAR(sweeps[0].acceleration[i], std::abs(level[i]), 1e-9);
+      EXPECT_NEAR(sweeps[0].phase[i], phase[i], 1e-9);
+    }
+  }
+}
+
+TEST(SteppedSineFile, SaysWhatAFrequencyResponseLacks) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sweep.unv");
+  const std::string response = dataset(4, kAccelerationLine, kForceLine, {-8.0, {0.0, 6.0}, 4.0});
+  test::put(path, response);
+  ASSERT_TRUE(is_stepped_sine(path));
+  const std::string without = message_of<InputError>([&] { return read_stepped_sines(path); });
+  EXPECT_NE(without.find("sweep.unv"), std::string::npos) << without;
+  EXPECT_NE(without.find("0 channels with the level of the response"), std::string::npos)
+      << without;
+  EXPECT_NE(without.find("Export the spectrum"), std::string::npos) << without;
+  const std::string level = dataset(12, kAccelerationLine, kNoLine, {2.0, 3.0, 4.0});
+  test::put(path, level + response);
+  ASSERT_TRUE(is_stepped_sine(path));
+  EXPECT_EQ(read_stepped_sines(path).at(0).force[0], 0.25);
+  test::put(path, level);
+  EXPECT_NE(message_of<InputError>([&] {
+              return read_stepped_sines(path);
+            }).find("0 channels with a frequency response"),
+            std::string::npos);
+}
+
+TEST(SteppedSineFile, ReadsFrequencyResponsesOfAStruct) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sweeps.mat");
+  const std::string units = "Hz, g/kN, g";
+  for (const std::string name : {"Freq", "frequency"}) {
+    const Fields sweep{{name, {80.0, 81.0}}, {"FRF", {4000.0, 8000.0}}, {"Response", {2.0, 1.0}}};
+    write_mat(path, {sweep, sweep}, units);
+    ASSERT_TRUE(is_stepped_sine(path + ":s"));
+    const std::vector<SteppedSine> sweeps = read_stepped_sines(path + ":s");
+    ASSERT_EQ(sweeps.size(), 2U);
+    EXPECT_EQ(sweeps[1].source, path + ":s(2)");
+    EXPECT_NEAR(sweeps[0].force[0], 0.5, 1e-12);
+    EXPECT_NEAR(sweeps[0].force[1], 0.125, 1e-12);
+    EXPECT_DOUBLE_EQ(sweeps[0].acceleration[0], 2.0 * kStandardGravity);
+    EXPECT_EQ(sweeps[0].phase[1], 0.0);
+  }
+  write_mat(path, {{{"Freq", {80.0, 81.0}}, {"FRF", {4.0, 8.0}}, {"Response", {2.0}}}});
+  EXPECT_NE(message_of<InputError>([&] {
+              return read_stepped_sines(path + ":s");
+            }).find("2 frequencies, 2 frequency responses and 1 responses"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ void add_reduce(CLI::App& program, Call& call) {
           "recordings", options->recordings,
           "Steady records, one per level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
           "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
-          "FILE.mat:VARIABLE with such fields")
+          "FILE.mat:VARIABLE with such fields; or frequency responses with the level of the "
+          "response (UFF, FILE.mat:VARIABLE)")
       ->required()
       ->type_name(kRecordingValue);
   command

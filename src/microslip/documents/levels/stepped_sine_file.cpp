@@ -11,8 +11,10 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/documents/levels/response_sweep.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
+#include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/mat/mat_value.hpp"
@@ -106,6 +108,7 @@ std::array<Unit, 4> units_of(const PartOfFile& part, const std::string& variable
 
 SteppedSine read_element(const PartOfFile& part, const std::string& variable,
                          const std::vector<std::string>& fields) {
+  if (has_response_fields(fields)) return read_response_sweep(part.file, variable, fields);
   const std::array<Unit, 4> units = units_of(part, variable, has_all(fields, {"units"}));
   const auto numbers = [&](std::string_view field, const Unit& unit) {
     std::vector<double> values = read_mat_numbers(part.file, fmt::format("{}.{}", variable, field));
@@ -121,7 +124,9 @@ SteppedSine read_element(const PartOfFile& part, const std::string& variable,
 
 std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
   const std::vector<std::string> fields = mat_fields(part.file, part.variable);
-  require_parts(fields, {.file = fmt::format("{}: {}", part.file, part.variable)}, "fields");
+  if (!has_response_fields(fields)) {
+    require_parts(fields, {.file = fmt::format("{}: {}", part.file, part.variable)}, "fields");
+  }
   const std::size_t count = mat_count(part.file, part.variable);
   if (count == 0) {
     throw InputError(fmt::format("{}: {}", part.file, part.variable), "an empty array",
@@ -134,6 +139,11 @@ std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
     sweeps.push_back(read_element(part, element, fields));
   }
   return sweeps;
+}
+
+/// Whether it is a universal file over frequencies.
+bool is_response_sweep(std::string_view head) {
+  return signature(head) == recording_kind(RecordingFormat::kUff) && is_over_frequency(head);
 }
 
 /// The first bytes; none of a pipe, which is not even opened. Standard input is left where it was.
@@ -149,6 +159,7 @@ std::string head_of(const std::string& path) {
 }  // namespace
 
 bool is_stepped_sine_table(std::string_view head) {
+  if (is_response_sweep(head)) return true;
   try {
     const KnownKind* const known = known_kind_of(head);
     return (known == nullptr || known->is_recording) && are_of_sweep(csv_column_names(head));
@@ -178,7 +189,8 @@ bool is_stepped_sine(const std::string& path) {
   try {
     const PartOfFile part = part_of_file(path);
     if (!part.variable.empty()) {
-      return are_of_sweep(mat_fields(part.file, part.variable));
+      const std::vector<std::string> fields = mat_fields(part.file, part.variable);
+      return are_of_sweep(fields) || has_response_fields(fields);
     }
     return is_stepped_sine_table(head_of(path));
   } catch (const Error&) {
@@ -189,6 +201,7 @@ bool is_stepped_sine(const std::string& path) {
 std::vector<SteppedSine> read_stepped_sines(const std::string& path) {
   const PartOfFile part = part_of_file(path);
   if (!part.variable.empty()) return read_mat_sweeps(part);
+  if (is_response_sweep(head_of(path))) return response_sweeps(read_recordings(path, {}), path);
   return {parse_stepped_sine(read_text(path), input_name(path))};
 }
 

@@ -16,6 +16,7 @@
 ///     `amplitude`, and `phase`, vectors of one length; a struct array has one sweep per element.
 ///     They are in Hz, N, m/s² and rad, or in the units of a field `units`, in this order: "Hz, N,
 ///     g, deg".
+///   * frequency responses with the level of the response, response_sweep.hpp.
 
 namespace microslip {
 

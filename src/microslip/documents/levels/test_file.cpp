@@ -78,7 +78,9 @@ Recordings read_recordings(const TestFile& file, const RecordingReadOptions& opt
 }
 
 std::vector<SteppedSine> read_stepped_sines(const TestFile& file) {
-  if (!file.part.variable.empty()) return read_stepped_sines(file.path);
+  const bool has_a_reader =
+      !file.part.variable.empty() || file.kind == recording_kind(RecordingFormat::kUff);
+  if (has_a_reader) return read_stepped_sines(file.path);
   return {parse_stepped_sine(text_of(file), input_name(file.path))};
 }
 

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/documents/levels/response_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <initializer_list>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "microslip/base/error.hpp"
+#include "microslip/base/units.hpp"
+#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/mat/mat_value.hpp"
+
+namespace microslip {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+/// How often a motion is differentiated from a displacement, 0 to 2; nothing of other dimensions.
+std::optional<int> rate_of(const Dimension& dimension) {
+  constexpr std::array kMotions{kLength, kVelocity, kAcceleration};
+  const auto* found = std::ranges::find(kMotions, dimension);
+  if (found == kMotions.end()) return std::nullopt;
+  return static_cast<int>(found - kMotions.begin());
+}
+
+std::optional<int> rate_per_force(const Dimension& dimension) {
+  return rate_of(dimension * kForce);
+}
+
+/// (iω)^n that makes an acceleration of a motion of that rate.
+Complex to_acceleration(double frequency, int rate) {
+  const Complex differentiation(0.0, 2.0 * pi * frequency);
+  Complex factor = 1.0;
+  for (int i = rate; i < 2; ++i) factor *= differentiation;
+  return factor;
+}
+
+/// A sweep in its own quantities.
+struct ResponseSweep {
+  std::string source;
+  std::vector<double> frequency;  // Hz
+  std::vector<Complex> transfer;  // SI
+  int transfer_rate;
+  std::vector<double> level;  // SI
+  int level_rate;
+};
+
+/// A phase without the jumps of 2π that the noise of a phase near π makes.
+void unwrap(std::vector<double>& phase) {
+  for (std::size_t i = 1; i < phase.size(); ++i) {
+    phase[i] = phase[i - 1] + std::remainder(phase[i] - phase[i - 1], 2.0 * pi);
+  }
+}
+
+SteppedSine stepped_sine_of(const ResponseSweep& sweep) {
+  SteppedSine result{sweep.source, sweep.frequency, {}, {}, {}};
+  for (std::size_t i = 0; i < sweep.frequency.size(); ++i) {
+    const double frequency = sweep.frequency[i];
+    const Complex accelerance = sweep.transfer[i] * to_acceleration(frequency, sweep.transfer_rate);
+    const double acceleration =
+        std::abs(sweep.level[i] * to_acceleration(frequency, sweep.level_rate));
+    result.acceleration.push_back(acceleration);
+    result.force.push_back(acceleration / std::abs(accelerance));
+    result.phase.push_back(std::arg(accelerance));
+  }
+  unwrap(result.phase);
+  check_stepped_sine(result);
+  return result;
+}
+
+std::vector<Complex> complex_values(std::vector<double> real,
+                                    const std::vector<double>& imaginary) {
+  std::vector<Complex> values(real.begin(), real.end());
+  for (std::size_t i = 0; i < imaginary.size(); ++i) values[i].imag(imaginary[i]);
+  return values;
+}
+
+std::vector<double> magnitudes(const std::vector<Complex>& values) {
+  std::vector<double> result;
+  for (const Complex& value : values) result.push_back(std::abs(value));
+  return result;
+}
+
+// ---- Universal files. ----
+
+/// The line at the front, which is removed.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return trimmed(line.substr(0, line.find('\r')));
+}
+
+/// The only channel that fits.
+const Channel& only_channel(const Recording& recording, std::string_view what,
+                            std::string_view remedy,
+                            std::optional<int> (*rate)(const Dimension& dimension)) {
+  const Channel* found = nullptr;
+  std::size_t count = 0;
+  for (const Channel& channel : recording.channels) {
+    if (!channel.dimension || !rate(*channel.dimension)) continue;
+    found = &channel;
+    ++count;
+  }
+  if (count == 1) return *found;
+  throw InputError(recording.source, fmt::format("{} channels with {}", count, what),
+                   "must have one, of the point that is driven, over the frequencies of a sweep",
+                   std::string(remedy));
+}
+
+SteppedSine sweep_of(const Recording& recording) {
+  const Channel& transfer = only_channel(
+      recording, "a frequency response",
+      "Keep the drive point alone: microslip convert FILE NEW --channel NAME.", rate_per_force);
+  const Channel& level = only_channel(
+      recording, "the level of the response",
+      "Export the spectrum of the response, in m/s^2 or g, beside the frequency response.",
+      rate_of);
+  ResponseSweep sweep{.source = recording.source,
+                      .frequency = {},
+                      .transfer = complex_values(transfer.values, transfer.imaginary),
+                      .transfer_rate = *rate_per_force(*transfer.dimension),
+                      .level = magnitudes(complex_values(level.values, level.imaginary)),
+                      .level_rate = *rate_of(*level.dimension)};
+  for (std::size_t i = 0; i < recording.size(); ++i)
+    sweep.frequency.push_back(recording.axis.at(i));
+  return stepped_sine_of(sweep);
+}
+
+// ---- MATLAB. ----
+
+constexpr std::array<std::string_view, 2> kFrequencyFields{"FREQUENCY", "FREQ"};
+constexpr std::array<std::string_view, 2> kTransferFields{"FRF", "H"};
+constexpr std::array<std::string_view, 2> kLevelFields{"RESPONSE", "LEVEL"};
+constexpr std::array<std::string_view, 1> kUnitFields{"UNITS"};
+
+/// The field with one of these names; empty where there is none.
+std::string field_of(const std::vector<std::string>& fields,
+                     std::span<const std::string_view> names) {
+  const auto found = std::ranges::find_if(fields, [&](const std::string& field) {
+    return std::ranges::find(names, in_capitals(field)) != names.end();
+  });
+  return found == fields.end() ? std::string() : *found;
+}
+
+/// "Hz", "g/N" and "g" of "Hz, g/N, g".
+std::array<std::string, 3> split_units(const std::string& text, const std::string& place) {
+  std::array<std::string, 3> units;
+  std::string_view rest = text;
+  for (std::string& unit : units) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    unit = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (!units[2].empty() && trimmed(rest).empty()) return units;
+  throw InputError(place, in_quotes(text),
+                   "must be units of frequency, frequency response and response between commas",
+                   "\"Hz, g/N, g\", for instance.");
+}
+
+/// A unit of a motion, and its rate.
+std::pair<Unit, int> motion_unit(const std::string& text, const std::string& place) {
+  for (const Dimension& dimension : {kAcceleration, kVelocity, kLength}) {
+    try {
+      return {parse_unit(text, dimension), *rate_of(dimension)};
+    } catch (const InputError&) {  // the next
+    }
+  }
+  throw InputError(place, in_quotes(text), "must be of an acceleration, velocity or displacement",
+                   "m/s^2, g, mm/s or um, for instance.");
+}
+
+}  // namespace
+
+bool is_over_frequency(std::string_view head) {
+  constexpr std::size_t kLinesBefore = 7;  // of a dataset 58, above that of its abscissa
+  std::string_view above;
+  while (!head.empty()) {
+    const std::string_view line = take_line(head);
+    if (above == "-1" && (line == "58" || line.starts_with("58b "))) {
+      for (std::size_t i = 0; i < kLinesBefore; ++i) (void)take_line(head);
+      return take_line(head).starts_with("18 ");
+    }
+    above = line;
+  }
+  return false;
+}
+
+std::vector<SteppedSine> response_sweeps(const Recordings& recordings, const std::string& name) {
+  std::vector<SteppedSine> sweeps;
+  for (const Recording& recording : recordings.recordings) {
+    if (recording.axis.dimension == kFrequency) sweeps.push_back(sweep_of(recording));
+  }
+  if (!sweeps.empty()) return sweeps;
+  throw InputError(name, "no recording over frequency", "must have a sweep at least");
+}
+
+bool has_response_fields(const std::vector<std::string>& fields) {
+  return !field_of(fields, kFrequencyFields).empty() &&
+         !field_of(fields, kTransferFields).empty() && !field_of(fields, kLevelFields).empty();
+}
+
+SteppedSine read_response_sweep(const std::string& file, const std::string& variable,
+                                const std::vector<std::string>& fields) {
+  const auto path = [&](const auto& names) {
+    return fmt::format("{}.{}", variable, field_of(fields, names));
+  };
+  std::array<std::string, 3> units{"Hz", "m/s^2/N", "m/s^2"};
+  const std::string place = fmt::format("{}: {}", file, variable);
+  if (!field_of(fields, kUnitFields).empty()) {
+    units = split_units(read_mat_text(file, path(kUnitFields)), place + ".units");
+  }
+  const std::size_t per = std::min(units[1].rfind('/'), units[1].size());
+  const auto [motion, transfer_rate] = motion_unit(units[1].substr(0, per), place + ".units");
+  const Unit force = parse_unit(per < units[1].size() ? units[1].substr(per + 1) : "", kForce);
+  const auto [level_unit, level_rate] = motion_unit(units[2], place + ".units");
+  const Unit frequency_unit = parse_unit(units[0], kFrequency);
+
+  ResponseSweep sweep{.source = fmt::format("{}:{}", file, variable),
+                      .frequency = read_mat_numbers(file, path(kFrequencyFields)),
+                      .transfer = {},
+                      .transfer_rate = transfer_rate,
+                      .level = {},
+                      .level_rate = level_rate};
+  const MatArray transfer = read_mat_array(file, path(kTransferFields));
+  const MatArray level = read_mat_array(file, path(kLevelFields));
+  sweep.transfer = complex_values(transfer.real, transfer.imaginary);
+  sweep.level = magnitudes(complex_values(level.real, level.imaginary));
+  if (sweep.transfer.size() != sweep.frequency.size() ||
+      sweep.level.size() != sweep.frequency.size()) {
+    throw InputError(place,
+                     fmt::format("{} frequencies, {} frequency responses and {} responses",
+                                 sweep.frequency.size(), sweep.transfer.size(), sweep.level.size()),
+                     "must have as many of each");
+  }
+  for (double& value : sweep.frequency) value = frequency_unit.to_si(value);
+  for (Complex& value : sweep.transfer) value *= motion.to_si(1.0) / force.to_si(1.0);
+  for (double& value : sweep.level) value = level_unit.to_si(value);
+  return stepped_sine_of(sweep);
+}
+
+}  // namespace microslip
