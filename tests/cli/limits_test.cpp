@@ -80,13 +80,23 @@ TEST(Limits, OfTimeAreToldBeforehand) {
       {"steps of a response spectrum", "1000 natural frequencies", "a shorter record"});
 }
 
-// Dense matrices over 11 coefficients of each joint: five of them, of 471 joints, take 1 GiB.
-TEST(Limits, OfJointsOfOneStructure) {
+std::string model_of_joints(int count) {
   std::string model = test::get(MICROSLIP_EXAMPLES "/one_mass/model.toml");
-  for (int i = 1; i < 1000; ++i) {
+  for (int i = 1; i < count; ++i) {
     model += fmt::format("[[joint]]\nname = \"a{}\"\nfile = \"joint.json\"\nshape = [1.0]\n", i);
   }
-  const Sandbox box{{"joint.json", kJointText}, {"many.toml", model}};
+  return model;
+}
+
+// Dense matrices over 11 coefficients of each joint: five of them, of 471 joints, take 1 GiB; over
+// the joints alone 28 of them, of 2189.
+TEST(Limits, OfJointsOfOneStructure) {
+  const Sandbox box{{"joint.json", kJointText},
+                    {"many.toml", model_of_joints(1000)},
+                    {"force.csv", "time [s],force [N]\n0,0\n0.2,1\n"},
+                    {"more.toml", model_of_joints(2300)}};
+  expect_refused(box, {"march", "more.toml", "--force-file", "force.csv", "--out", "x.csv"},
+                 {"number of joints = 2300", "2189 at most", "1 GiB", "Take fewer joints"});
   for (const Arguments& call :
        {Arguments{"frf", "many.toml", "--force", "1", "--frequency", "1:2", "--out", "x.csv"},
         Arguments{"backbone", "many.toml", "--response", "1um:2um:2", "--out", "x.csv"}}) {
@@ -109,6 +119,9 @@ TEST(Limits, OfAFileOfZerosAreItsFirst) {
   put_zeros(box, "zeros.csv", "");
   put_zeros(box, "tail.csv", sample_levels_text());
   put_zeros(box, "zeros.toml", "");
+  std::string record = "time [s],force [N],acc1 [m/s^2]\n";
+  for (int i = 0; i < 1000; ++i) record += fmt::format("{:.3f},{},1\n", 1e-3 * i, i % 7);
+  put_zeros(box, "record.csv", record + "1.0");
   Circumstances little;
   if (!test::kSanitized) little.memory = 600'000'000;
   const auto refused = [&](const Arguments& call, const Parts& parts) {
@@ -123,6 +136,7 @@ TEST(Limits, OfAFileOfZerosAreItsFirst) {
   refused({"identify", "tail.csv", "--stiffness", "1e5", "--out", "j.json"}, {"tail.csv:", "0x00"});
   refused({"identify", "/dev/zero", "--stiffness", "1e5", "--out", "j.json"}, {"/dev/zero:1:1"});
   refused({"convert", "zeros.csv", "--list"}, {"zeros.csv:1:1"});
+  refused({"convert", "record.csv", "--list"}, {"record.csv:1002:4", "0x00"});
   refused({"loop", "joint.json", "--path", "zeros.csv", "--out", "x.csv"}, {"zeros.csv:1:1"});
   refused({"plan", "zeros.csv", "--stiffness", "1e5", "--out", "x.csv"}, {"zeros.csv:1:1"});
   refused({"frf", "zeros.toml", "--force", "1", "--frequency", "1:2", "--out", "x.csv"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <chrono>
@@ -185,6 +186,11 @@ TEST(watch, ReplacesNothingOfOthers) {
   const Sandbox rig{{"rig.toml", test::get(kRig + "rig.toml")},
                     {"levels.csv", sample_levels_text()}};
   expect_refused(rig, with(kWatch, {"--once"}), {"levels.csv", "there already"});
+  const Sandbox odd{{"record.csv", record_text(sample_record())}};
+  ASSERT_EQ(::mkfifo(odd.file("joint.json").c_str(), 0600), 0);
+  const Outcome pipe = odd.run(with(kWatch, {"--once"}));
+  EXPECT_EQ(pipe.status, 2) << pipe.err;
+  EXPECT_TRUE(says(pipe.err, "joint.json") && says(pipe.err, "there already")) << pipe.err;
 }
 
 TEST(watch, SaysWhatIsAtFault) {

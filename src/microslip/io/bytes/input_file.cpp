@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <new>
 #include <string_view>
 #include <system_error>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
+#include "microslip/io/bytes/memory_limit.hpp"
 #include "microslip/io/bytes/sha256.hpp"
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
@@ -67,12 +67,7 @@ std::string read_all_text(InputStream& file, std::size_t limit) {
 template <typename Read>
 std::string whole(InputStream& file, std::size_t limit, const Read& read) {
   if (file.size().value_or(0) > limit) fail_too_large(file.name(), limit);
-  try {
-    return read(file, limit);
-  } catch (const std::bad_alloc&) {
-    throw FileError(file.name(), "does not fit into memory",
-                    "Is it the right file? If so, give a part of it.");
-  }
+  return within_memory(file.name(), [&] { return read(file, limit); });
 }
 
 }  // namespace

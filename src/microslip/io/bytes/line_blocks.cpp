@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 namespace microslip {
 namespace {
@@ -28,6 +29,7 @@ bool LineBlocks::next() {
     filled_ += count;
     size_ = count < room ? filled_ : whole_lines();
     if (size_ > 0 || filled_ == 0) break;
+    check_text();
     if (buffer_.size() >= kLongestLine) {
       throw FormatError({file_.name(), first_line_, 1}, "lines of text",
                         "a line of more than 16 MiB", "Is this a text table?");
@@ -36,6 +38,15 @@ bool LineBlocks::next() {
   }
   bytes_done_ += size_;
   return size_ > 0;
+}
+
+/// A long line is none where it has a zero, as of what a crash has left of a file.
+void LineBlocks::check_text() const {
+  const std::string_view line(buffer_.data(), filled_);
+  const std::size_t zero = line.find('\0');
+  if (zero == std::string_view::npos) return;
+  throw FormatError({file_.name(), first_line_, place_at(line, zero, {}).column}, "text",
+                    "the byte 0x00", "Is this a text table? Was it written to its end?");
 }
 
 void LineBlocks::drop_text() {

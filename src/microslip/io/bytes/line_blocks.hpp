@@ -18,7 +18,8 @@ class LineBlocks {
   explicit LineBlocks(InputStream& file);
 
   /// Goes on to the next piece; false at the end.
-  /// @throws FormatError  where a line is longer than 16 MiB: that is no text.
+  /// @throws FormatError  where a line is longer than 16 MiB, or than a block and has a byte 0x00:
+  ///                      that is no text.
   bool next();
 
   /// Valid until next().
@@ -31,6 +32,7 @@ class LineBlocks {
   [[nodiscard]] std::size_t bytes_done() const { return bytes_done_; }
 
  private:
+  void check_text() const;
   void drop_text();
   std::size_t whole_lines() const;
 

@@ -12,6 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/plausibility.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
+#include "microslip/io/bytes/memory_limit.hpp"
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/hdf5/hdf5_recording.hpp"
@@ -202,7 +203,7 @@ std::string_view recording_kind(RecordingFormat format) {
 Recordings read_recordings(const std::string& path, const RecordingReadOptions& options) {
   const PartOfFile part = part_of_file(path);
   InputStream file(part.file);
-  Recordings result = read_format(file, part, options);
+  Recordings result = within_memory(file.name(), [&] { return read_format(file, part, options); });
   finish_units(options.assumed_units, result);
   return result;
 }
@@ -210,7 +211,9 @@ Recordings read_recordings(const std::string& path, const RecordingReadOptions& 
 Recordings read_recordings(const std::string& file, RecordingFormat format,
                            const RecordingReadOptions& options) {
   if (format == RecordingFormat::kCsv) return read_recordings(file, options);
-  Recordings result = read_by_path({file, ""}, format, options);
+  Recordings result = within_memory(file, [&] {
+    return read_by_path({file, ""}, format, options);
+  });
   finish_units(options.assumed_units, result);
   return result;
 }

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <new>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -310,7 +311,8 @@ class CsvRecordingReader {
   }
 
   /// Room for all rows, guessed from those so far: growing step by step would copy them again and
-  /// again, and need twice the memory meanwhile.
+  /// again, and need twice the memory meanwhile. Where there is not so much, the rest may be less
+  /// than it seems, as zeros that a crash has left.
   void reserve() {
     if (rows_ == 0 || !file_.size() || blocks_.bytes_done() >= *file_.size()) return;
     const double share =
@@ -318,7 +320,11 @@ class CsvRecordingReader {
     const double rows = 1.01 * share * static_cast<double>(rows_);
     for (std::size_t i = 0; i < values_.size(); ++i) {
       if (left_out_[i] || static_cast<double>(values_[i].capacity()) >= rows) continue;
-      values_[i].reserve(static_cast<std::size_t>(1.05 * rows));
+      try {
+        values_[i].reserve(static_cast<std::size_t>(1.05 * rows));
+      } catch (const std::bad_alloc&) {
+        return;
+      }
     }
   }
 

@@ -135,8 +135,11 @@ void WatchedTest::check_own() const {
   if (fs::exists(path(std::string(kRigFile)))) written.push_back(kLevelsFile);
   for (const std::string_view name : written) {
     const std::string file = path(std::string(name));
-    if (!fs::exists(file) || fs::file_size(file) == 0) continue;
-    if (read_file(file).find(kWatchCommand) != std::string::npos) continue;
+    if (!fs::exists(file)) continue;
+    const bool is_own =
+        fs::is_regular_file(file) &&
+        (fs::file_size(file) == 0 || read_file(file).find(kWatchCommand) != std::string::npos);
+    if (is_own) continue;
     throw InputError(file, "there already",
                      "would be written here, and no file of another program is replaced",
                      "Move it away, or watch a folder with the records alone.");
