@@ -69,7 +69,7 @@ TEST(FourierFitTest, ExactWithoutNoise) {
     const Record record = record_of(test::even_axis(8192.0, -0.2), points);
     expect_exact(fit_of(record), record);
     for (const double off : {0.975, 0.99, 1.0, 1.01, 1.025}) {
-      SCOPED_TRACE(testing::Message() << points << " points, guess times " << off);
+      SCOPED_TRACE(::testing::Message() << points << " points, guess times " << off);
       expect_exact(fit_of(record, {.frequency_guess = off * kFrequency}), record);
     }
   }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -13,6 +12,7 @@
 
 #include "io/support.hpp"
 #include "microslip/workflow/reduce/modal_decay.hpp"
+#include "support/uniform_sliders.hpp"
 
 namespace microslip::moving_shape_test {
 namespace {
@@ -21,11 +21,11 @@ constexpr double kGround = 2e4;    // N/m, between the ground and mass 1, of 1 k
 constexpr double kBetween = 6e4;   // N/m, between it and mass 2, of 1 kg
 constexpr double kJoint = 8e4;     // N/m, between the ground and mass 1
 constexpr double kLongest = 4e-4;  // m, slip displacement of the last slider
-constexpr std::size_t kCount = 300;
-constexpr double kOther = 0.02;  // damping ratio of the upper mode: it rings only at first
+constexpr double kOther = 0.02;    // damping ratio of the upper mode: it rings only at first
 
-double slip_displacement(std::size_t i) {
-  return kLongest * (static_cast<double>(i) + 0.5) / static_cast<double>(kCount);
+const testing::UniformSliders& joint() {
+  static const testing::UniformSliders kSliders(kJoint, kLongest);
+  return kSliders;
 }
 
 /// The lower vibration with a stiffness of the joint: ω², and the shape of length 1. The upper one
@@ -50,29 +50,6 @@ double upper_square(double joint) {
   return 2.0 * kBetween + kGround + joint - mode_with(joint).square;
 }
 
-/// Stiffness of the first harmonic and loss per cycle of the sliders at an amplitude u.
-struct Secant {
-  double stiffness = 0.0;
-  double loss = 0.0;
-};
-
-Secant secant_of(double u) {
-  Secant sum;
-  const double k = kJoint / static_cast<double>(kCount);
-  for (std::size_t i = 0; i < kCount; ++i) {
-    const double slip = slip_displacement(i);
-    if (u <= slip) {
-      sum.stiffness += k;
-      continue;
-    }
-    // Of an elastoplastic element.
-    const double theta = std::acos(1.0 - 2.0 * slip / u);
-    sum.stiffness += k / std::numbers::pi * (theta - 0.5 * std::sin(2.0 * theta));
-    sum.loss += 4.0 * k * slip * (u - slip);
-  }
-  return sum;
-}
-
 /// The nonlinear mode at an amplitude of mass 1, which the joint moves with.
 struct Truth {
   double second;   // amplitude of mass 2, m
@@ -80,7 +57,7 @@ struct Truth {
 };
 
 Truth truth_at(double first) {
-  const Secant secant = secant_of(first);
+  const testing::UniformSliders::Secant secant = joint().secant(first);
   const Mode mode = mode_with(secant.stiffness);
   const double q = first / mode.first;
   const Mode stuck = mode_with(kJoint);
@@ -109,27 +86,19 @@ struct Motion {
 constexpr double kRate = 1000.0;  // Hz
 
 Motion released_from(double u, double seconds) {
-  constexpr int kWithin = 20;  // steps between samples
+  constexpr int kWithin = 10;  // steps between samples
   constexpr double kStep = 1.0 / (kRate * kWithin);
-  const Mode mode = mode_with(secant_of(u).stiffness);
-  const double k = kJoint / static_cast<double>(kCount);
+  const Mode mode = mode_with(joint().secant(u).stiffness);
   double x = u;
   double y = u * mode.second / mode.first;
   double vx = 0.0;
   double vy = 0.0;
-  std::vector<double> slid(kCount);
-  for (std::size_t i = 0; i < kCount; ++i) slid[i] = std::max(0.0, u - slip_displacement(i));
+  testing::UniformSliders sliders = joint();
   const Mode stuck = mode_with(kJoint);
   const double damper = 2.0 * kOther * std::sqrt(upper_square(kJoint));
   const auto accelerations = [&](double& ax, double& ay, double wx, double wy) {
     const double damping = damper * (stuck.first * wy - stuck.second * wx);
-    double force = 0.0;
-    for (std::size_t i = 0; i < kCount; ++i) {
-      const double slip = slip_displacement(i);
-      slid[i] = std::clamp(slid[i], x - slip, x + slip);
-      force += k * (x - slid[i]);
-    }
-    ax = -kGround * x - kBetween * (x - y) - force + stuck.second * damping;
+    ax = -kGround * x - kBetween * (x - y) - sliders.force(x) + stuck.second * damping;
     ay = -kBetween * (y - x) - stuck.first * damping;
   };
   double ax = 0.0;
@@ -142,7 +111,7 @@ Motion released_from(double u, double seconds) {
       motion.first.push_back(ax);
       motion.second.push_back(ay);
     }
-    // Störmer and Verlet: the error of the frequency is below 1e-5.
+    // Störmer and Verlet: the error of the frequency is some 1e-5.
     x += kStep * (vx + 0.5 * kStep * ax);
     y += kStep * (vy + 0.5 * kStep * ay);
     const double bx = ax;

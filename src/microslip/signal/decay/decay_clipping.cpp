@@ -33,8 +33,11 @@ double envelope(const DecayWindow& window, double tau) {
   return base > 0.0 ? std::pow(base, -1.0 / window.exponent) : 0.0;
 }
 
-}  // namespace
-
+/// What the range of a signal lacks of that of its fundamental, in the middle half of a window and
+/// at the same samples, over the latter: the fundamental of a sine that is clipped at c is larger
+/// than c, 1.27 c at most. Many samples a period, noise and other modes make the range larger,
+/// which is negative here; a third harmonic of 3 % in a force that slips flattens by as much. 1,
+/// below 0.22.
 double lacking_range(std::span<const double> signal, double rate, const DecayWindow& window) {
   const TaperedWindow samples(signal, rate, window.centre, window.length);
   const double phase = std::arg(samples.transform(window.omega));
@@ -50,6 +53,21 @@ double lacking_range(std::span<const double> signal, double rate, const DecayWin
   }
   if (!(fitted.range() > 0.0)) return 0.0;
   return 1.0 - measured.range() / fitted.range();
+}
+
+}  // namespace
+
+std::vector<double> clipped_windows(std::span<const double> signal, double rate,
+                                    std::span<const DecayWindow> windows, double noise_std) {
+  constexpr double kLacking = 0.03;
+  constexpr double kSure = 2.0;  // of the noise, at both ends of the range
+  std::vector<double> clipped;
+  for (const DecayWindow& window : windows) {
+    const double lacking = lacking_range(signal, rate, window);
+    if (lacking <= kLacking + kSure * noise_std / window.amplitude) break;
+    clipped.push_back(lacking);
+  }
+  return clipped;
 }
 
 }  // namespace microslip

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "microslip/signal/decay/decay_window.hpp"
 
@@ -11,14 +12,15 @@
 
 namespace microslip {
 
-/// What the range of a signal lacks of that of its fundamental, in the middle half of a window and
-/// at the same samples, over the latter: the fundamental of a sine that is clipped at c is larger
-/// than c, 1.27 c at most. Many samples a period, noise and other modes make the range larger,
-/// which is negative here; a third harmonic of 3 % in a force that slips flattens by as much. 1,
-/// below 0.22.
-/// @param signal  evenly sampled.
-/// @param rate    sampling rate, Hz.
-[[nodiscard]] double lacking_range(std::span<const double> signal, double rate,
-                                   const DecayWindow& window);
+/// What the range of the signal lacks in the first windows of a decay, one after the other, up to
+/// the first in which it does not: an instrument is at its limit where the amplitude is largest.
+/// @param signal     evenly sampled.
+/// @param rate       sampling rate, Hz.
+/// @param windows    of the decay.
+/// @param noise_std  of a sample.
+/// @return  shares of the range of the fundamental, one per clipped window; may be empty.
+[[nodiscard]] std::vector<double> clipped_windows(std::span<const double> signal, double rate,
+                                                  std::span<const DecayWindow> windows,
+                                                  double noise_std);
 
 }  // namespace microslip

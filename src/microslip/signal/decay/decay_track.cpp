@@ -11,6 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/signal/decay/decay_clipping.hpp"
 #include "microslip/signal/decay/decay_range.hpp"
 #include "microslip/signal/decay/mode_peak.hpp"
 #include "microslip/signal/decay/tapered_transform.hpp"
@@ -314,6 +315,31 @@ int derivatives_of(const Dimension& measured) {
                    "must be displacement, velocity or acceleration");
 }
 
+/// Follows the mode without the oscillation beside it; as before where it cannot be followed then.
+void follow_without_second(DecayTrack& track) {
+  const std::vector<double> both = track.motion;
+  for (std::size_t i = 0; i < both.size(); ++i) {
+    track.motion[i] -= track.second->value_at(static_cast<double>(i) / track.task.rate);
+  }
+  DecayWalk walk = walk_along(track.task);
+  if (walk.windows.empty()) {
+    track.motion = both;
+    track.task.signal = track.motion;
+    track.second.reset();
+    return;
+  }
+  track.walk = std::move(walk);
+  track.points = points_of(track.task, track.walk.windows, track.walk.noise_variance);
+  for (const DecayWindow& window : track.walk.windows) {
+    const auto before = fit_decay_values(both, track.task.rate, window.centre, window.length,
+                                         track.task.lowest, track.task.highest);
+    const auto damping = [&](const DecayWindow& of) {
+      return decay_point(of, track.task.measured, 0.0).damping;
+    };
+    track.subtracted.push_back(before ? damping(*before) / damping(window) - 1.0 : 1.0);
+  }
+}
+
 }  // namespace
 
 std::pair<double, double> DecayTrack::band() const {
@@ -349,15 +375,42 @@ DecayTrack follow_decay(std::span<const double> signal, double rate, const Dimen
   track.walk = walk_along(track.task);
   check_followed(track, options, peaks);
   track.points = points_of(track.task, track.walk.windows, track.walk.noise_variance);
+  track.clipped =
+      clipped_windows(track.motion, rate, track.walk.windows, std::sqrt(track.walk.noise_variance));
   const double onset = track.blow ? *track.blow - track.offset : 0.0;
   const auto before = track.task.signal.first(
       std::min(static_cast<std::size_t>(onset * rate), track.task.signal.size()));
   track.second =
       find_second_oscillation(track.task, track.walk.windows, track.walk.noise_variance, before);
-  if (track.second) {
-    add_shifts(*track.second, track.walk.windows, what, track.points);
+  // A clipped decay is that of no mode with a joint.
+  if (track.second && track.second->beside_joint) {
+    if (track.clipped.empty()) {
+      follow_without_second(track);
+    } else {
+      track.second.reset();
+    }
   }
+  add_second(track, track.walk.windows, track.points);
   return track;
+}
+
+void add_second(const DecayTrack& track, std::span<const DecayWindow> windows,
+                std::span<DecayPoint> points) {
+  if (!track.second) return;
+  if (!track.second->beside_joint) {
+    add_shifts(*track.second, windows, track.task.measured, points);
+    return;
+  }
+  // What was subtracted is known to such a share: on average over the windows, as a shift changes
+  // its sign with the phase of the beat.
+  constexpr double kKnown = 0.15;
+  double squares = 0.0;
+  for (const double shift : track.subtracted) squares += shift * shift;
+  const double rest = kKnown * std::sqrt(squares / static_cast<double>(track.subtracted.size()));
+  for (DecayPoint& point : points) {
+    point.damping_std = std::hypot(point.damping_std, rest * point.damping);
+    point.loss_std = std::hypot(point.loss_std, rest * point.loss);
+  }
 }
 
 void throw_no_decay(const DecayTrack& track, std::string_view remedy) {

@@ -32,9 +32,13 @@ struct DecayTrack {
   DecayWalk walk;
   std::vector<DecayPoint>
       points;  ///< one per window; standard deviations with those of the choices
+  std::vector<double> clipped = {};              ///< see clipped_windows()
   std::optional<SecondOscillation> second = {};  ///< what beats with the mode
-  double frequency = 0.0;                        ///< Hz, of the highest line
-  double offset = 0.0;  ///< s on the axis of the recording, of the first sample of `motion`
+  /// Relative shift of ζ in each window by what was subtracted from `motion`; empty where nothing
+  /// was.
+  std::vector<double> subtracted = {};
+  double frequency = 0.0;  ///< Hz, of the highest line
+  double offset = 0.0;     ///< s on the axis of the recording, of the first sample of `motion`
   DecayStart start_by = DecayStart::kGiven;
   std::optional<double> blow = {};  ///< s on the axis
 
@@ -49,6 +53,10 @@ struct DecayTrack {
 [[nodiscard]] DecayTrack follow_decay(std::span<const double> signal, double rate,
                                       const Dimension& measured, const RingDownOptions& options,
                                       double origin);
+
+/// Adds to the standard deviations what a second oscillation does to windows of the track's signal.
+void add_second(const DecayTrack& track, std::span<const DecayWindow> windows,
+                std::span<DecayPoint> points);
 
 /// Throws the error of a track without windows. @param remedy  empty: the usual one.
 [[noreturn]] void throw_no_decay(const DecayTrack& track, std::string_view remedy);

@@ -19,16 +19,36 @@ double polynomial(std::span<const double> coefficients, double s) {
   return sum;
 }
 
-/// ẋ = −δ(x), θ̇ = ω(x), in steps of Runge and Kutta.
-struct CourseStep {
-  std::span<const double> decays;
-  std::span<const double> omegas;
+/// δ(x) and ω(x) − ω₀ by the parameters of a model, in units of the mean decay rate; x = ln A less
+/// that of the first value.
+struct ModeCourse {
+  OscillationModel model;
+  std::span<const double> p;
   double fall;
 
+  [[nodiscard]] double share(double x) const { return std::clamp(-x / fall, 0.0, 1.0); }
+  [[nodiscard]] double decay(double x) const {
+    constexpr double kLargest = 6.0;  // of |ln δ|: no course falls so fast or slowly
+    const double sum = polynomial(p.first(static_cast<std::size_t>(model.decays)), share(x));
+    return model.joint ? std::exp(std::clamp(sum, -kLargest, kLargest)) : sum;
+  }
+  [[nodiscard]] double omega(double x) const {
+    const auto own =
+        p.subspan(static_cast<std::size_t>(model.decays), static_cast<std::size_t>(model.omegas));
+    if (!model.joint) return polynomial(own, share(x));
+    const double power = std::exp(std::clamp(own[3], 0.05, 4.0) * std::min(x, 0.0));
+    return own[0] - own[1] * power - own[2] * power * power;
+  }
+};
+
+/// ẋ = −δ(x), θ̇ = ω(x), in steps of Runge and Kutta.
+struct CourseStep {
+  const ModeCourse& course;
+  double unit;  ///< mean decay rate, 1/s
+
   void operator()(double& x, double& theta, double h) const {
-    const auto share = [&](double at) { return std::clamp(-at / fall, 0.0, 1.0); };
-    const auto rate = [&](double at) { return -polynomial(decays, share(at)); };
-    const auto turn = [&](double at) { return polynomial(omegas, share(at)); };
+    const auto rate = [&](double at) { return -unit * course.decay(at); };
+    const auto turn = [&](double at) { return unit * course.omega(at); };
     constexpr double kFarthest = 30.0;  // of ln A: beyond it no course is a decay
     const double a = rate(x);
     const double b = rate(x + 0.5 * h * a);
@@ -41,6 +61,11 @@ struct CourseStep {
   }
 };
 
+ModeCourse mode_course_of(const OscillationModel& model, const Eigen::VectorXd& p,
+                          const Baseband& band) {
+  return {model, std::span(p.data(), static_cast<std::size_t>(model.of_mode())), band.fall};
+}
+
 }  // namespace
 
 double Baseband::independent() const {
@@ -49,26 +74,25 @@ double Baseband::independent() const {
   return 2.0 * kFreedom * static_cast<double>(value.size()) * hop / length;
 }
 
-std::vector<double> OscillationFit::decays(const Eigen::VectorXd& p) const {
-  return scaled(p, 0, model_.decays);
+double OscillationFit::first_decay(const Eigen::VectorXd& p) const {
+  return band_.decay * mode_course_of(model_, p, band_).decay(0.0);
 }
 
-std::vector<double> OscillationFit::omegas(const Eigen::VectorXd& p) const {
-  return scaled(p, model_.decays, model_.omegas);
+double OscillationFit::first_omega(const Eigen::VectorXd& p) const {
+  return band_.decay * mode_course_of(model_, p, band_).omega(0.0);
 }
 
 double OscillationFit::second_omega(const Eigen::VectorXd& p) const {
-  return p[model_.decays + model_.omegas] * band_.decay;
+  return p[model_.of_mode()] * band_.decay;
 }
 
 double OscillationFit::second_decay(const Eigen::VectorXd& p) const {
-  return model_.steady ? 0.0 : p[model_.decays + model_.omegas + 1] * band_.decay;
+  return model_.steady ? 0.0 : p[model_.of_mode() + 1] * band_.decay;
 }
 
 Eigen::VectorXcd OscillationFit::mode(const Eigen::VectorXd& p) const {
-  const std::vector<double> delta = decays(p);
-  const std::vector<double> omega = omegas(p);
-  const CourseStep step{delta, omega, band_.fall};
+  const ModeCourse course = mode_course_of(model_, p, band_);
+  const CourseStep step{course, band_.decay};
   Eigen::VectorXcd history(band_.value.size());
   double x = 0.0;
   double theta = 0.0;
@@ -157,12 +181,6 @@ bool OscillationFit::minimise(Eigen::VectorXd& p) {
   }
   (void)residual(p);
   return rests && std::isfinite(chi_square_);
-}
-
-std::vector<double> OscillationFit::scaled(const Eigen::VectorXd& p, int from, int count) const {
-  std::vector<double> out;
-  for (int i = 0; i < count; ++i) out.push_back(p[from + i] * band_.decay);
-  return out;
 }
 
 Eigen::MatrixXd OscillationFit::jacobian(const Eigen::VectorXd& p, const Eigen::VectorXd& now) {

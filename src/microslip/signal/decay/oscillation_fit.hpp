@@ -28,25 +28,32 @@ struct Baseband {
   [[nodiscard]] double independent() const;
 };
 
-/// The fitted model: δ and ω − ω₀ of the mode as polynomials of given numbers of coefficients over
-/// the share of the fall of ln A, 0 to 1, and a second oscillation, damped or steady.
+/// The fitted model of the mode, and a second oscillation, damped or steady. δ and ω − ω₀ of the
+/// mode are polynomials of given numbers of coefficients over the share s of the fall of ln A, 0 to
+/// 1; or those of a mode with a joint, of which δ is near a power of A and what ω lacks near another:
+/// ln δ cubic in s, ω − ω₀ = w₀ − w₁A^m − w₂A^2m. These follow few beats of a second oscillation
+/// much less than polynomials do.
 struct OscillationModel {
   int decays = 1;
   int omegas = 1;
   bool second = false;
   bool steady = false;  ///< the second does not decay
+  bool joint = false;   ///< δ and ω of a mode with a joint; decays and omegas are 4 each
+
+  /// Parameters of the mode.
+  [[nodiscard]] int of_mode() const { return decays + omegas; }
 };
 
 /// A model on values. Parameters: coefficients of δ, those of ω − ω₀, then Δ and δ₂ of the second
-/// oscillation, all over the mean decay rate. The complex amplitudes c₁ and c₂ are the best for
-/// these.
+/// oscillation, all over the mean decay rate; of a joint four coefficients of ln δ, then w₀, w₁, w₂
+/// and m. The complex amplitudes c₁ and c₂ are the best for these.
 class OscillationFit {
  public:
   OscillationFit(const Baseband& band, const OscillationModel& model)
       : band_(band), model_(model) {}
 
-  [[nodiscard]] std::vector<double> decays(const Eigen::VectorXd& p) const;
-  [[nodiscard]] std::vector<double> omegas(const Eigen::VectorXd& p) const;
+  [[nodiscard]] double first_decay(const Eigen::VectorXd& p) const;  ///< δ at the first value, 1/s
+  [[nodiscard]] double first_omega(const Eigen::VectorXd& p) const;  ///< ω − ω₀ there, rad/s
   [[nodiscard]] double second_omega(const Eigen::VectorXd& p) const;  ///< Δ, rad/s
   [[nodiscard]] double second_decay(const Eigen::VectorXd& p) const;  ///< δ₂, 1/s
 
@@ -71,7 +78,6 @@ class OscillationFit {
   [[nodiscard]] std::complex<double> second_amplitude() const { return second_; }
 
  private:
-  [[nodiscard]] std::vector<double> scaled(const Eigen::VectorXd& p, int from, int count) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& p, const Eigen::VectorXd& now);
 
   const Baseband& band_;

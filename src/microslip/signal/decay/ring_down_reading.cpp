@@ -9,8 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "microslip/signal/decay/decay_clipping.hpp"
-
 namespace microslip {
 namespace {
 
@@ -43,23 +41,10 @@ double shift_that_counts(const DecayTrack& track, std::size_t i) {
   if (!track.second) return 0.0;
   const DecayWindow& window = track.walk.windows[i];
   const DecayPoint noise = decay_point(window, track.task.measured, track.walk.noise_variance);
-  const double moved = std::abs(relative_shift(*track.second, window, track.task.measured));
+  const double moved = std::abs(track.second->beside_joint
+                                    ? track.subtracted[i]
+                                    : relative_shift(*track.second, window, track.task.measured));
   return moved > std::max(kLeaks, kSure * noise.damping_std / noise.damping) ? moved : 0.0;
-}
-
-/// What the range of the signal lacks in the first windows, one after the other, up to the first in
-/// which it does not: an instrument is at its limit where the amplitude is largest.
-std::vector<double> clipped_windows(const DecayTrack& track) {
-  constexpr double kLacking = 0.03;
-  constexpr double kSure = 2.0;  // of the noise, at both ends of the range
-  const double noise = std::sqrt(track.walk.noise_variance);
-  std::vector<double> clipped;
-  for (const DecayWindow& window : track.walk.windows) {
-    const double lacking = lacking_range(track.task.signal, track.task.rate, window);
-    if (lacking <= kLacking + kSure * noise / window.amplitude) break;
-    clipped.push_back(lacking);
-  }
-  return clipped;
 }
 
 void flag_windows(const DecayTrack& track, std::vector<std::string>& flags) {
@@ -138,6 +123,14 @@ std::string second_text(const DecayTrack& track, std::size_t moved, double worst
                 "A second oscillation at {:.6g} Hz, {:.2g} of the first amplitude and with "
                 "a damping ratio of {:.2g},",
                 frequency, second.ratio, second.decay / second.omega);
+  if (second.beside_joint) {
+    return fmt::format(
+        "{} moved the damping of {:.6g} Hz by up to {:.2g} % in {} of {} windows. It is "
+        "subtracted, "
+        "as that of a mode without joints, and the standard deviations include what is not known "
+        "of it.",
+        what, track.frequency, 100.0 * worst, moved, track.walk.windows.size());
+  }
   return fmt::format(
       "{} moves the damping of {:.6g} Hz by up to {:.2g} % in {} of {} windows: no window is "
       "long enough to separate them. The standard deviations include it; alone the mode would have "
@@ -224,7 +217,7 @@ std::optional<Warning> warning_of_second(const DecayTrack& track) {
 }
 
 std::optional<Warning> warning_of_clipping(const DecayTrack& track) {
-  const std::vector<double> lacking = clipped_windows(track);
+  const std::vector<double>& lacking = track.clipped;
   if (lacking.empty()) return std::nullopt;
   const DecayWindow& last = track.walk.windows[lacking.size() - 1];
   return Warning{
@@ -240,7 +233,7 @@ std::optional<Warning> warning_of_clipping(const DecayTrack& track) {
 
 void flag_clipped(const DecayTrack& sensor, const DecayTrack& track,
                   std::vector<std::string>& flags) {
-  const std::size_t count = clipped_windows(sensor).size();
+  const std::size_t count = sensor.clipped.size();
   if (count == 0) return;
   const double until = sensor.offset + sensor.walk.windows[count - 1].centre;
   for (std::size_t i = 0; i < flags.size(); ++i) {

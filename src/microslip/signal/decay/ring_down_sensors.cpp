@@ -103,7 +103,7 @@ SensorPoints points_in(const DecayTrack& track, const DecayTrack& leader) {
     noisy.push_back(noise);
   }
   std::vector<DecayPoint> found = points_of(track.task, windows, track.walk.noise_variance);
-  if (track.second) add_shifts(*track.second, windows, track.task.measured, found);
+  add_second(track, windows, found);
   for (std::size_t i = 0; i < places.size(); ++i) {
     points[places[i]] = sensor_point(track, found[i], noisy[i]);
   }

@@ -38,12 +38,13 @@ Complex gain_of(double decay, double omega, double length) {
 
 /// The shortest windows that suppress the known others as far as the noise requires, up to those of
 /// the walk: the shorter they are, the farther off a second oscillation is seen.
-double length_of_windows(const DecayTask& task, std::span<const DecayWindow> windows) {
-  constexpr double kShorter = 0.4;
+/// @param shorter  least share of the windows of the walk.
+double length_of_windows(const DecayTask& task, std::span<const DecayWindow> windows,
+                         double shorter) {
   constexpr double kKeptOut = 1e-3;  // of the mode
   double longest = windows.front().length;
   for (const DecayWindow& window : windows) longest = std::min(longest, window.length);
-  double length = std::max(kShorter * longest, std::min(task.shortest, longest));
+  double length = std::max(shorter * longest, std::min(task.shortest, longest));
   const double mode = windows.front().omega / (2.0 * std::numbers::pi);
   const auto leaks = [&](double at) {
     double sum = 0.0;
@@ -63,16 +64,31 @@ double middle_omega(std::span<const DecayWindow> windows) {
   return median(std::move(all));
 }
 
-/// @param end  s: no window reaches beyond.
+/// The rate at which ln|Z| falls by a third at first; 0 where it never does.
+double early_decay(const Baseband& band) {
+  constexpr double kFall = 1.0 / 3.0;
+  for (Eigen::Index i = 1; i < band.value.size(); ++i) {
+    const double fall = std::log(std::abs(band.value[0]) / std::abs(band.value[i]));
+    if (fall > kFall) return fall / (static_cast<double>(i) * band.hop);
+  }
+  return 0.0;
+}
+
+/// How a decay becomes values.
+struct BandChoice {
+  double end = 0.0;      ///< s: no window reaches beyond
+  double shorter = 0.4;  ///< as of length_of_windows()
+  double most = 2000.0;  ///< values
+};
+
 Baseband baseband_of(const DecayTask& task, std::span<const DecayWindow> windows,
-                     double noise_variance, double end) {
+                     double noise_variance, const BandChoice& choice) {
   // Neither model is exact: allowed deviation of a decay from it, of its amplitude.
   constexpr double kModel = 3e-4;
   Baseband band;
-  band.length = length_of_windows(task, windows);
+  band.length = length_of_windows(task, windows, choice.shorter);
   constexpr double kHops = 8.0;  // in a window
-  constexpr double kMostValues = 2000.0;
-  band.hop = std::max(band.length / kHops, (end - task.from) / kMostValues);
+  band.hop = std::max(band.length / kHops, (choice.end - task.from) / choice.most);
   const DecayWindow& first = windows.front();
   const DecayWindow& last = windows.back();
   band.begin = std::max(task.from, first.centre - first.length / 2.0) + band.length / 2.0;
@@ -84,7 +100,7 @@ Baseband baseband_of(const DecayTask& task, std::span<const DecayWindow> windows
   std::vector<Complex> values;
   std::vector<double> roots;
   double quietest = HUGE_VAL;  // of what can be seen
-  for (double at = band.begin; at + band.length / 2.0 <= end; at += band.hop) {
+  for (double at = band.begin; at + band.length / 2.0 <= choice.end; at += band.hop) {
     const TaperedWindow window(task.signal, task.rate, at, band.length);
     const Complex value = window.transform(band.omega);
     const double noise = noise_variance * window.noise_gain();
@@ -209,16 +225,19 @@ std::optional<SecondOscillation> oscillation_of(const Baseband& band, const Fitt
   second.steady = found.model.steady;
   second.omega = band.omega + fit.second_omega(found.p);
   second.decay = fit.second_decay(found.p);
-  second.mode_omega = band.omega + fit.omegas(found.p).front();
-  second.mode_decay = fit.decays(found.p).front();
+  second.beside_joint = found.model.joint;
+  second.mode_omega = band.omega + fit.first_omega(found.p);
+  second.mode_decay = fit.first_decay(found.p);
   const double lines = std::abs(second.omega - band.omega) * band.length / (2.0 * std::numbers::pi);
   if (second.decay < 0.0 || !(second.mode_decay > 0.0) || lines > kMostLines) return std::nullopt;
   const bool apart = std::abs(second.omega - second.mode_omega) > kApart * second.mode_decay;
   if (!second.steady && !apart) return std::nullopt;
   const double own =
       std::abs(gain_of(second.mode_decay, second.mode_omega - band.omega, band.length));
-  const double beside = std::abs(gain_of(second.decay, second.omega - band.omega, band.length));
+  const Complex passed = gain_of(second.decay, second.omega - band.omega, band.length);
+  const double beside = std::abs(passed);
   if (!(own > kLeastGain && beside > kLeastGain)) return std::nullopt;
+  second.phase = std::arg(found.second / passed);
   second.mode_amplitude = 2.0 * std::abs(found.first) / own;
   second.amplitude = 2.0 * std::abs(found.second) / beside;
   second.ratio = second.amplitude / second.mode_amplitude;
@@ -242,6 +261,83 @@ bool are_two(const Baseband& band, const Fitted& two) {
   const double left = std::max(1.0, two.chi_square / band.independent());
   const double most = two.chi_square + kSure * left;
   return alone.chi_square > (alone.converged ? most : kUnsure * most);
+}
+
+/// The mode with a joint, from the course of its polynomials.
+Fitted jointed_mode(const Baseband& band, const Fitted& cubic) {
+  constexpr double kLeast = 0.05;  // of the mean decay rate
+  const auto sum = [](const auto& coefficients) { return coefficients.sum(); };
+  const double first = std::max(kLeast, cubic.p[0]);
+  const double last = std::max(kLeast, sum(cubic.p.head(4)));
+  Eigen::VectorXd start = Eigen::VectorXd::Zero(8);
+  start[0] = std::log(first);
+  start[1] = std::log(last / first);
+  start[4] = sum(cubic.p.tail(4));
+  start[5] = start[4] - cubic.p[4];
+  start[7] = 1.0;
+  return fitted(band, {.decays = 4, .omegas = 4, .joint = true}, start);
+}
+
+/// (Δ, δ₂) over the mean decay rate of what there is in the last third, which may outlast the mode.
+Eigen::Vector2d place_at_last(const Baseband& band) {
+  const Eigen::Index last = band.value.size() / 3;
+  const Complex turn = band.value.tail(last).head(last - 1).dot(band.value.tail(last - 1));
+  const double before = band.value.tail(last).head(last - 1).squaredNorm();
+  const Complex step = turn / before;  // e^{(−δ₂ + iΔ)h}
+  return Eigen::Vector2d(std::arg(step), -std::log(std::abs(step))) / (band.hop * band.decay);
+}
+
+/// The values less a second oscillation, as strong as all is in the last third: it may outlast the
+/// mode. @param place  (Δ, δ₂) over the mean decay rate.
+Baseband without_last(const Baseband& band, const Eigen::Vector2d& place) {
+  const OscillationFit fit(band, {.second = true});
+  const Eigen::VectorXcd second = fit.second(place[0] * band.decay, place[1] * band.decay);
+  const Eigen::Index last = band.value.size() / 3;
+  const Complex amplitude =
+      second.tail(last).dot(band.value.tail(last)) / second.tail(last).squaredNorm();
+  Baseband rest = band;
+  rest.value -= amplitude * second;
+  return rest;
+}
+
+/// A mode with a joint and an oscillation beside it, where that explains nearly all that the mode
+/// alone leaves.
+std::optional<SecondOscillation> beside_jointed_mode(Baseband band) {
+  constexpr Eigen::Index kFewest = 32;
+  constexpr std::size_t kStarts = 5;
+  // χ² of a mode with a joint alone, over its expected value: joints of other kinds than the fitted
+  // leave some ten. Of both together: so much is left where the other is strong.
+  constexpr double kMuch = 50.0;
+  constexpr double kLittle = 50.0;
+  constexpr double kNearlyAll = 20.0;  // times less of χ² with the other
+  constexpr double kFarthest = 4.0;    // between the two, of the larger decay rate
+  constexpr int kCubic = 4;
+  if (band.value.size() < kFewest) return std::nullopt;
+  // What outlasts the mode makes the walk slow.
+  band.decay = std::max(band.decay, early_decay(band));
+  if (leaves_noise(band, mode_alone(band, 1))) return std::nullopt;
+  const Fitted alone = jointed_mode(band, mode_alone(band, kCubic));
+  if (alone.chi_square < kMuch * band.independent()) return std::nullopt;
+  const OscillationModel model{.decays = 4, .omegas = 4, .second = true, .joint = true};
+  Fitted best;
+  std::vector<Eigen::Vector2d> places = places_of_second(band, alone, kStarts);
+  places.push_back(place_at_last(band));
+  for (const Eigen::Vector2d& place : places) {
+    const Baseband rest = without_last(band, place);
+    for (const Fitted& mode : {alone, jointed_mode(rest, mode_alone(rest, kCubic))}) {
+      Eigen::VectorXd start(10);
+      start << mode.p, place;
+      const Fitted found = fitted(band, model, start);
+      if (found.chi_square < best.chi_square) best = found;
+    }
+  }
+  const double most = std::min(alone.chi_square / kNearlyAll, kLittle * band.independent());
+  if (!(best.chi_square < most)) return std::nullopt;
+  const auto found = oscillation_of(band, best);
+  if (!found || found->ratio > 1.0) return std::nullopt;
+  const double rate = std::max(found->decay, found->mode_decay);
+  const bool near = std::abs(found->omega - found->mode_omega) < kFarthest * rate;
+  return near ? found : std::nullopt;
 }
 
 /// Returns whether other evidence also shows a steady tone.
@@ -279,6 +375,11 @@ bool is_before(const SecondOscillation& tone, std::span<const double> before, do
 
 }  // namespace
 
+double SecondOscillation::value_at(double time) const {
+  const double since = time - begin;
+  return amplitude * std::exp(-decay * since) * std::cos(phase + omega * since);
+}
+
 DecayWindow SecondOscillation::mode_at(double time) const {
   return {.centre = time,
           .length = length,
@@ -306,10 +407,12 @@ std::optional<SecondOscillation> find_second_oscillation(const DecayTask& task,
   const ToneCheck may_be_tone = [&](const SecondOscillation& tone) {
     return is_before(tone, before, task.rate, noise_variance);
   };
-  auto found = second_in(baseband_of(task, windows, noise_variance, end), may_be_tone);
-  if (!found && end > walked) {
-    found = second_in(baseband_of(task, windows, noise_variance, walked), may_be_tone);
-  }
+  const auto band_of = [&](const BandChoice& choice) {
+    return baseband_of(task, windows, noise_variance, choice);
+  };
+  auto found = second_in(band_of({.end = end}), may_be_tone);
+  if (!found && end > walked) found = second_in(band_of({.end = walked}), may_be_tone);
+  if (!found) found = beside_jointed_mode(band_of({.end = end, .shorter = 0.0, .most = 400.0}));
   return found;
 }
 

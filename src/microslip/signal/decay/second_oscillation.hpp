@@ -19,19 +19,24 @@
 ///
 /// and for a mode with a joint c₁e^{x + iθ}, ẋ = −δ(x), θ̇ = ω(x) − ω₀. Both are fitted, δ and ω
 /// cubic in x, which has more unknowns. There is a second oscillation where the residual of two is
-/// only noise and that of one mode clearly more. Beside a mode whose frequency moves with the
-/// amplitude none is found.
+/// only noise and that of one mode clearly more.
+///
+/// Where neither does, δ and ω of a mode with a joint are fitted (OscillationModel::joint) with a
+/// damped oscillation beside it: a mode without joints. It is subtracted from the signal where it
+/// explains nearly all that the mode alone leaves.
 
 namespace microslip {
 
 /// Two damped oscillations: the mode, and another one beside it.
 struct SecondOscillation {
-  bool steady = false;     ///< a tone, which does not decay
-  double omega = 0.0;      ///< of the second oscillation, rad/s
-  double decay = 0.0;      ///< δ₂, 1/s; 0 of a tone
-  double begin = 0.0;      ///< s from the first sample
-  double amplitude = 0.0;  ///< of the second at `begin`, in the unit of the signal
-  double ratio = 0.0;      ///< over that of the mode there
+  bool steady = false;        ///< a tone, which does not decay
+  double omega = 0.0;         ///< of the second oscillation, rad/s
+  double decay = 0.0;         ///< δ₂, 1/s; 0 of a tone
+  double begin = 0.0;         ///< s from the first sample
+  double amplitude = 0.0;     ///< of the second at `begin`, in the unit of the signal
+  double ratio = 0.0;         ///< over that of the mode there
+  double phase = 0.0;         ///< of the second at `begin`, rad
+  bool beside_joint = false;  ///< beside a mode whose frequency moves: it can be subtracted
 
   double mode_amplitude = 0.0;  ///< of the mode at `begin`, in the unit of the signal
   double mode_omega = 0.0;      ///< rad/s
@@ -40,6 +45,8 @@ struct SecondOscillation {
 
   /// The window of the mode alone; without covariance and other modes.
   [[nodiscard]] DecayWindow mode_at(double time) const;
+  /// The second oscillation at a time, s from the first sample, in the unit of the signal.
+  [[nodiscard]] double value_at(double time) const;
 };
 
 /// The second oscillation of a decay; none where a smooth decay of one mode explains it as well.
