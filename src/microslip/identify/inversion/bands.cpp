@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/inversion/possible_joints.hpp"
 #include "microslip/identify/posterior/effective_draws.hpp"
 #include "microslip/identify/posterior/quantiles.hpp"
 
@@ -13,6 +14,11 @@ namespace microslip {
 namespace {
 
 constexpr std::size_t kFewestSamples = 20;
+
+/// An interval with a value in it.
+std::pair<double, double> widened(const std::pair<double, double>& interval, double to) {
+  return {std::min(interval.first, to), std::max(interval.second, to)};
+}
 
 }  // namespace
 
@@ -60,10 +66,15 @@ DensityBands density_bands(const InversionResult& result, std::span<const Densit
     bands.lower.push_back(std::min(lower, result.density[j]));
     bands.upper.push_back(std::max(upper, result.density[j]));
   }
-  bands.area = quantiles_of([](const DensitySample& sample) { return sample.area; });
+  bands.area =
+      widened(quantiles_of([](const DensitySample& sample) { return sample.area; }), result.area);
+  if (result.posterior.reaches_limits) bands.area = widened(bands.area, least_area(result));
   bands.linear_damping =
-      quantiles_of([](const DensitySample& sample) { return sample.linear_damping; });
-  bands.atom_weight = quantiles_of([](const DensitySample& sample) { return sample.atom_weight; });
+      widened(quantiles_of([](const DensitySample& sample) { return sample.linear_damping; }),
+              result.linear_damping.value_or(0.0));
+  bands.atom_weight =
+      widened(quantiles_of([](const DensitySample& sample) { return sample.atom_weight; }),
+              result.atom_weight);
   return bands;
 }
 

@@ -30,10 +30,12 @@ struct BandOptions {
 /// joint, nor is its upper edge: no sample follows either, and their areas may lie far outside of
 /// `area`.
 struct DensityBands {
-  double confidence = 0.0;                   ///< nominal coverage, 1
-  std::vector<double> lower;                 ///< 1/N; one per knot of the result
-  std::vector<double> upper;                 ///< 1/N
-  std::pair<double, double> area;            ///< of Φ0, 1
+  double confidence = 0.0;    ///< nominal coverage, 1
+  std::vector<double> lower;  ///< 1/N; one per knot of the result
+  std::vector<double> upper;  ///< 1/N
+  /// Of Φ0, 1. Of few levels it goes down to least_area(): each density ≥ 0 that is drawn adds to
+  /// the area, and none of them is 0 wherever the truth is.
+  std::pair<double, double> area;
   std::pair<double, double> linear_damping;  ///< of β, J/m²; zeros where it was not fitted
   std::pair<double, double> atom_weight;     ///< 1; zeros where there is none
   std::size_t samples = 0;                   ///< number drawn
@@ -43,7 +45,8 @@ struct DensityBands {
 };
 
 /// Pointwise quantiles of the draws 0 … samples − 1: with as many draws below as above the
-/// band, or from 0 on where that is narrower; widened to the estimate where they do not contain it;
+/// band, or from 0 on where that is narrower; widened to the estimate where they do not contain it,
+/// and so are the intervals of Φ0, β and the weight of the atom;
 /// on all processors; the same on any number of them.
 /// @throws InputError  where an option breaks its rule, or the result is not one of invert().
 /// @throws Cancelled   when progress returns false.

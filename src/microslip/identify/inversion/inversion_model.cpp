@@ -22,6 +22,24 @@ constexpr double kResolved = 3e-3;
 /// Degrees of freedom that the levels must leave the scatter.
 constexpr double kLeastFreedom = 10.0;
 
+/// ν₀ of few levels where σ was given and where it was not; it falls to 0 between these numbers of
+/// levels, as more determine their scatter by themselves.
+constexpr double kFreedomOfGiven = 10.0;
+constexpr double kFreedomOfUsual = 4.0;
+constexpr double kFew = 12.0;
+constexpr double kEnough = 20.0;
+/// Repeats determine the scatter, and nothing between their amplitudes: so many levels of each
+/// count at most, in the mean.
+constexpr double kMostRepeated = 1.5;
+/// The usual scatter of D.
+constexpr double kUsualScatter = 0.01;
+
+/// Prior knowledge of a scatter of s, in units of 1/W.
+KnownScatter prior_scatter(double share, bool given, double s) {
+  const double freedom = share * (given ? kFreedomOfGiven : kFreedomOfUsual);
+  return {freedom * s * s, freedom};
+}
+
 /// kResolved of D in units of its scatter, by the levels above the floor.
 double unresolved_of(const ScaledLevels& levels, const Eigen::VectorXd& weights) {
   std::vector<double> signal_to_noise;
@@ -69,7 +87,10 @@ struct InversionModel::Columns {
   Eigen::VectorXd weights;       // D rows, then k_eq rows
   Eigen::VectorXd offset_share;  // of each k_eq row in their weighted mean
   double informative_rows = 0.0;
-  double repeat_residual = 0.0;
+  double few_share = 0.0;
+  KnownScatter prior;
+  KnownScatter prior_softening;
+  KnownScatter known;  // with repeats
 
   Columns(const ScaledLevels& levels, const PassOptions& options, const InversionBasis& basis);
 
@@ -94,7 +115,14 @@ void InversionModel::Columns::set_weights(const ScaledLevels& levels, const Pass
   }
   const LevelRows deviation = evidence.deviations(prediction, levels.unit);
   informative_rows = evidence.informative_levels(prediction);
-  repeat_residual = evidence.repeat_sum(deviation);
+  const auto amplitudes = static_cast<double>(evidence.size());
+  const double n = std::min(amplitudes + evidence.repeat_freedom(), kMostRepeated * amplitudes);
+  few_share = std::clamp((kEnough - n) / (kEnough - kFew), 0.0, 1.0);
+  const bool given = evidence.dissipation_std_given();
+  prior = prior_scatter(few_share, given, given ? 1.0 : kUsualScatter / levels.unit.dissipation);
+  prior_softening = prior_scatter(few_share, evidence.secant_std_given(), 1.0);
+  known.square = prior.square + evidence.repeat_sum(deviation);
+  known.freedom = prior.freedom + evidence.repeat_freedom();
   const Eigen::Index rows = levels.dissipation.size();
   weights.resize(rows + levels.softening.size());
   weights.head(rows) = levels.energy * view_of(deviation.dissipation).cwiseInverse();
@@ -187,8 +215,9 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
       softening_(columns.softening),
       weights_(columns.weights),
       informative_rows_(columns.informative_rows),
-      repeat_residual_(columns.repeat_residual),
-      repeat_freedom_(levels.evidence.repeat_freedom()),
+      known_(columns.known),
+      few_share_(columns.few_share),
+      known_softening_(columns.prior_softening),
       unresolved_(unresolved_of(levels, columns.weights)),
       problem_([&] {
         const Eigen::Index d_rows = columns.dissipation.rows();
@@ -206,7 +235,7 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
         const Eigen::Index extra = columns.dissipation.cols() - basis.size();
         return SmoothingProblem(columns.weights.asDiagonal() * design,
                                 columns.weights.cwiseProduct(data), columns.penalty, columns.area,
-                                2 * basis.ranges() + extra);
+                                2 * basis.ranges() + extra, columns.prior);
       }()) {}
 
 void InversionModel::take_smoothing(const InversionModel& other) {
@@ -224,11 +253,11 @@ void InversionModel::take_smoothing(const InversionModel& other) {
 
 double InversionModel::evidence(const SmoothingPoint& point) const {
   const double freedom =
-      informative_rows_ + repeat_freedom_ - static_cast<double>(problem_.unpenalised());
+      informative_rows_ + known_scatter().freedom - static_cast<double>(problem_.unpenalised());
   if (freedom < kLeastFreedom || !point.solution.converged) {
     return std::numeric_limits<double>::infinity();
   }
-  const double square = point.residual + repeat_residual_ + point.lambda * point.roughness +
+  const double square = point.residual + known_scatter().square + point.lambda * point.roughness +
                         freedom * unresolved_ * unresolved_;
   const double size =
       theta(point.solution.x).squaredNorm() / static_cast<double>(basis_.size()) + 1e-300;

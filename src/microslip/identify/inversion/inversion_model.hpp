@@ -64,10 +64,22 @@ class InversionModel {
   /// Rows that carry information: levels at the floor of the weights do not.
   [[nodiscard]] double informative_rows() const { return informative_rows_; }
 
-  /// Weighted sum of squares of the differences between repeated levels, and its degrees of
-  /// freedom: in addition to the residual, which contains their means alone.
-  [[nodiscard]] double repeat_residual() const { return repeat_residual_; }
-  [[nodiscard]] double repeat_freedom() const { return repeat_freedom_; }
+  /// What is known of the scatter of D in addition to the residual: the differences between
+  /// repeated levels, whose means alone are in it, and prior knowledge where the levels are few,
+  ///
+  ///     ν₀ = ν (20 − n)/8, from 0 to ν,   ν = 10 where σ was given, and 4 with σ = 1 % of D
+  ///
+  /// otherwise, as if by ν₀ further levels that scatter as expected; n levels with their repeats,
+  /// 1.5 for each amplitude at most. Only ν₀ counts in the choice of λ: repeats may differ by what
+  /// all levels of a session share.
+  [[nodiscard]] const KnownScatter& known_scatter() const { return known_; }
+
+  /// (20 − n)/8 within 0 and 1: how much prior knowledge counts, and whether it does.
+  [[nodiscard]] double few_share() const { return few_share_; }
+  [[nodiscard]] bool few_levels() const { return few_share_ > 0.0; }
+
+  /// The same of k_eq: prior knowledge alone.
+  [[nodiscard]] const KnownScatter& known_softening_scatter() const { return known_softening_; }
 
   /// d of the levels from coefficients.
   [[nodiscard]] Eigen::VectorXd dissipation(const Eigen::VectorXd& x) const;
@@ -147,8 +159,9 @@ class InversionModel {
   Eigen::MatrixXd softening_;
   Eigen::VectorXd weights_;
   double informative_rows_;
-  double repeat_residual_;
-  double repeat_freedom_;
+  KnownScatter known_;
+  double few_share_;
+  KnownScatter known_softening_;
   double unresolved_;  // of the scatter, below which nothing is proved
   SmoothingProblem problem_;
 };

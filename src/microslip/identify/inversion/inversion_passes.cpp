@@ -57,9 +57,10 @@ PathScatter estimate_scatter(const InversionModel& model, double residual, doubl
   const double informative =
       std::max(static_cast<double>(model.problem().unpenalised()) + 1.0, model.informative_rows());
   const double rows = static_cast<double>(model.problem().rows());
+  const KnownScatter& known = model.known_scatter();
   const double freedom =
-      informative - std::min({edf, 0.8 * informative, rows - 1.0}) + model.repeat_freedom();
-  return {std::sqrt((residual + model.repeat_residual()) / freedom), freedom};
+      informative - std::min({edf, 0.8 * informative, rows - 1.0}) + known.freedom;
+  return {std::sqrt((residual + known.square) / freedom), freedom};
 }
 
 void separate_scatter(InversionModel& model, const ScaledLevels& levels) {
@@ -71,24 +72,24 @@ void separate_scatter(InversionModel& model, const ScaledLevels& levels) {
   const Eigen::VectorXd square = (problem.data() - problem.design() * point.solution.x).cwiseAbs2();
   const Eigen::VectorXd leverage = problem.leverage(point);
   const double both = std::max(model.scatter, 1e-150);  // levels of zero leave none
-  const auto relative = [&](double residual, double edf, double rows, double more_freedom) {
+  const auto relative = [&](double residual, double edf, double rows, const KnownScatter& known) {
     const double informative = std::max(rows, 1.0);
-    const double freedom = informative - std::min(edf, 0.8 * informative) + more_freedom;
-    return std::sqrt(residual / freedom) / both;
+    const double freedom = informative - std::min(edf, 0.8 * informative) + known.freedom;
+    return std::sqrt((residual + known.square) / freedom) / both;
   };
   const double softening_rows = static_cast<double>(rest) - 1.0;  // less the offset
   model.dissipation_scatter =
-      relative(square.head(n).sum() + model.repeat_residual(), leverage.head(n).sum(),
-               model.informative_rows() - softening_rows, model.repeat_freedom());
-  model.softening_scatter =
-      relative(square.tail(rest).sum(), leverage.tail(rest).sum(), softening_rows, 0.0);
+      relative(square.head(n).sum(), leverage.head(n).sum(),
+               model.informative_rows() - softening_rows, model.known_scatter());
+  model.softening_scatter = relative(square.tail(rest).sum(), leverage.tail(rest).sum(),
+                                     softening_rows, model.known_softening_scatter());
   model.least_softening_scatter = levels.evidence.secant_std_given() ? 1.0 / both : 0.0;
 }
 
 void run_path(InversionModel& model, const InversionOptions& options, std::size_t points,
               InnerSolutions& inner) {
   const SmoothingProblem& problem = model.problem();
-  model.most_edf = most_degrees_of_freedom(problem.rows(), problem.unpenalised());
+  model.most_edf = problem.most_edf();
   std::vector<double> lambdas = problem.lambda_grid(points);
   if (options.lambda) {  // the path goes from stiff to flexible
     const auto after = std::ranges::find_if(lambdas, [&](double l) { return l < *options.lambda; });

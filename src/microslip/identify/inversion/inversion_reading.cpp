@@ -18,6 +18,13 @@ namespace {
 
 /// Closer to each other, relative, two knots are one; those of an edge are not.
 constexpr double kSameKnot = 1e-9;
+/// Few levels leave peaks and ends of a density possible that they do not show: the prior of its
+/// roughness is wide and tilted to the rough, a of PossibleSmoothing over the rows of L. Chosen in
+/// view of the coverage of bands of 4 to 12 levels.
+constexpr double kRougherOfFew = 1e-5;
+constexpr double kTiltOfFew = 0.125;
+/// Scatter of few levels, over that of the estimate.
+constexpr double kMostOfFew = 4.0;
 /// Deviation of LocalSmoothing where L may have a trend.
 constexpr double kBesideTrend = 2.0;
 
@@ -157,6 +164,10 @@ PossibleSmoothing possible_smoothing(const InversionModel& model) {
   if (model.lambda_fixed) return possible;
   possible.least = of_unit * model.path.back().lambda;
   possible.most = of_unit * model.path.front().lambda;
+  if (!model.few_levels()) return possible;
+  possible.least *= kRougherOfFew;
+  possible.tilt =
+      model.few_share() * kTiltOfFew * static_cast<double>(model.problem().penalty().rows());
   return possible;
 }
 
@@ -181,17 +192,22 @@ DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& l
   const Eigen::Index softening_rows = problem.rows() - n;
   posterior.dissipation =
       rows_of(problem.design().topRows(n), weighted_loss(model, levels), problem.data().head(n));
-  posterior.dissipation.more_square = model.repeat_residual();
+  posterior.dissipation.more_square = model.known_scatter().square;
   double rows = model.informative_rows();
   if (softening_rows > 0) {
     posterior.secant = rows_of(problem.design().bottomRows(softening_rows), {},
                                problem.data().tail(softening_rows));
-    posterior.secant.count = static_cast<double>(softening_rows) - 1.0;  // less the offset
-    rows -= posterior.secant.count;
+    const double independent = static_cast<double>(softening_rows) - 1.0;  // less the offset
+    rows -= independent;
+    posterior.secant.count = independent + model.known_softening_scatter().freedom;
+    posterior.secant.more_square = model.known_softening_scatter().square;
     posterior.secant.least_scatter = model.scatter * model.least_softening_scatter;
   }
-  posterior.dissipation.count = std::max(1.0, rows) + model.repeat_freedom();
+  posterior.dissipation.count = std::max(1.0, rows) + model.known_scatter().freedom;
   posterior.scatter = start_scatter(model);
+  posterior.reaches_limits = model.few_levels();
+  // A straight line with an enormous scatter is no explanation of levels that a density follows.
+  if (model.few_levels()) posterior.dissipation.most_scatter = kMostOfFew * posterior.scatter;
   posterior.common_errors = levels.evidence.common_errors();
   posterior.penalty = plain_matrix(problem.penalty());
   posterior.smoothing = possible_smoothing(model);

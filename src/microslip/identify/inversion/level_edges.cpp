@@ -42,8 +42,7 @@ EdgedFit EdgedLevels::fit(std::vector<BasisEdge> edges, double trend, const Edge
   pass_.edges = edges;
   pass_.trend = trend;
   const InversionModel model(levels_, pass_);
-  const double most_edf =
-      most_degrees_of_freedom(model.problem().rows(), model.problem().unpenalised());
+  const double most_edf = model.problem().most_edf();
   const double first = start.weights.front();
   EdgedFit best{.edges = std::move(edges), .trend = trend, .weights = {first}};
   std::vector<bool> free(static_cast<std::size_t>(model.problem().size()), true);

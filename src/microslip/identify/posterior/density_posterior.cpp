@@ -81,6 +81,7 @@ ChainRows chain_rows(const PosteriorRows& rows) {
   all.more_square = rows.more_square;
   all.count = rows.count;
   all.least_scale = rows.least_scatter;
+  if (rows.most_scatter > 0.0) all.most_scale = rows.most_scatter;
   return all;
 }
 
@@ -93,6 +94,7 @@ ChainTarget chain_target(const DensityPosterior& posterior) {
   target.local_deviation = posterior.local_deviation;
   target.least_lambda = posterior.smoothing.least;
   target.most_lambda = posterior.smoothing.most;
+  target.lambda_tilt = posterior.smoothing.tilt;
   return target;
 }
 
@@ -202,7 +204,9 @@ std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::si
       RandomStream of_errors(seed, kErrorStreams + i);
       const CommonErrorDraw errors = common_errors.draw(of_errors);
       if (common_errors.loss_factor_std > 0.0) chain.set_error(errors.loss_factor);
-      all[i] = read_sample(place, chain.next(random));
+      const Eigen::VectorXd& x = chain.next(random);
+      const bool projected = reaches_limits && i % 2 == 1;
+      all[i] = read_sample(place, projected ? chain.projected(random).x : x);
       apply_gains(slip_force, errors, all[i]);
       counter.count();
     }

@@ -33,6 +33,7 @@ struct PosteriorRows {
   double more_square = 0.0;         ///< sum of squares of repeated levels
   double count = 0.0;               ///< m, of independent data
   double least_scatter = 0.0;       ///< of s; 0 where it is free
+  double most_scatter = 0.0;        ///< of s; 0 where it is free
 };
 
 /// The range of the smoothing parameter λ, in units of a scatter s of 1.
@@ -40,6 +41,7 @@ struct PossibleSmoothing {
   double least = 0.0;   ///< > 0
   double most = 0.0;    ///< the same where λ was fixed
   double chosen = 0.0;  ///< where a chain starts
+  double tilt = 0.0;    ///< a of the prior ∝ λ^−a of ln λ: rough densities are likelier
 };
 
 /// One density drawn from the posterior; itself a feasible Iwan density.
@@ -56,8 +58,8 @@ struct DensitySample {
 ///     −2 ln p(x, λ, l, s) = Σ of the kinds of rows + 2 ln s each
 ///                           + Σ_j (λl_j(Lx)_j² − ln λl_j) + 2 ln λ − 2 ln p(l),
 ///
-/// with flat priors of ln λ and of ln s of each kind, and a smoothness that may change along the
-/// density: l_j, see theory.md, section 5.
+/// with flat priors of ln s of each kind and of ln λ, but for its tilt, and a smoothness that may
+/// change along the density: l_j, see theory.md, section 5.
 struct DensityPosterior {
   // Meaning of the coefficients.
   std::vector<double> slip_force;      ///< knots of the density, N; rising
@@ -78,6 +80,11 @@ struct DensityPosterior {
   double local_deviation = 3.0;  ///< of ln l at each node
 
   std::vector<double> start;  ///< a good x, where chains start
+
+  /// Every other draw is brought within the limits from outside, see PosteriorChain::projected().
+  /// Few levels leave many coefficients that may be 0: no draw of a chain comes near all of these
+  /// limits at once, so that the area of each is above one that may be true.
+  bool reaches_limits = false;
 
   /// Posteriors with the edges of the density at other places, each as likely as this; with the
   /// same knots. Chains alternate between them. None where the density has no edges.

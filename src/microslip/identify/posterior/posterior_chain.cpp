@@ -150,7 +150,8 @@ void PosteriorChain::move_with_lambda(Smoothing& smoothing, RandomStream& random
   if (!(lambda >= smoothing.block.least_lambda && lambda <= smoothing.block.most_lambda)) return;
   moved_.set(hessian_with(smoothing, lambda, smoothing.roughness), linear_);
   const double rank = static_cast<double>(smoothing.block.rows);
-  if (moves_along(0.5 * rank * std::log(lambda / smoothing.lambda), random)) {
+  const double power = 0.5 * rank - target_.lambda_tilt;
+  if (moves_along(power * std::log(lambda / smoothing.lambda), random)) {
     smoothing.lambda = lambda;
   }
 }
@@ -185,11 +186,11 @@ Eigen::VectorXd PosteriorChain::bends(const Smoothing& smoothing) const {
   return (own * x_).cwiseAbs2();
 }
 
-// λ | x ~ Gamma(r/2) of rate ½Σ l_j (Lx)_j², between its ends.
+// λ | x ~ Gamma(r/2 − a) of rate ½Σ l_j (Lx)_j², between its ends.
 void PosteriorChain::draw_lambda(Smoothing& smoothing, RandomStream& random) {
   const double least = smoothing.block.least_lambda;
   const double most = smoothing.block.most_lambda;
-  const double shape = 0.5 * static_cast<double>(smoothing.block.rows);
+  const double shape = 0.5 * static_cast<double>(smoothing.block.rows) - target_.lambda_tilt;
   const double sum = smoothing.local.factors().dot(bends(smoothing));
   const double rate = 0.5 * std::max(sum, 1e-300);
   const double below = boost::math::gamma_p(shape, rate * least, DrawPolicy());
@@ -204,7 +205,7 @@ void PosteriorChain::draw_lambda(Smoothing& smoothing, RandomStream& random) {
   smoothing.lambda = std::clamp(drawn / rate, least, most);
 }
 
-// τ² | x ~ (‖Dx − d‖² + more)/χ²_m, not below its least.
+// τ² | x ~ (‖Dx − d‖² + more)/χ²_m, between its ends.
 void PosteriorChain::draw_scales(RandomStream& random) {
   for (std::size_t g = 0; g < scale_.size(); ++g) {
     const ChainRows& rows = target_.rows[g];
@@ -212,9 +213,14 @@ void PosteriorChain::draw_scales(RandomStream& random) {
     const double square = rows.more_square + (data_[g] - rows.design * x_).squaredNorm();
     const double least = std::max(kLeastScale, rows.least_scale);
     const ChiSquared chi_squared(rows.count);
-    const double share = random.uniform() * chi_squared.below(square / (least * least));
-    scale_[g] = least;
-    if (share > 0.0) scale_[g] = std::max(least, std::sqrt(square / chi_squared.quantile(share)));
+    const double most = std::max(least, rows.most_scale);
+    const double below = std::isinf(most) ? 0.0 : chi_squared.below(square / (most * most));
+    const double share =
+        below + random.uniform() * (chi_squared.below(square / (least * least)) - below);
+    scale_[g] = share < 1.0 ? least : most;
+    if (share > 0.0 && share < 1.0) {
+      scale_[g] = std::clamp(std::sqrt(square / chi_squared.quantile(share)), least, most);
+    }
   }
 }
 

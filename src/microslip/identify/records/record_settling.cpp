@@ -26,9 +26,8 @@ constexpr double kStrongPower = 6.0;
 SettledRecords run_pass(const ScaledRecords& records, const RecordPass& settings) {
   SettledRecords pass{RecordModel(records, settings), {}, settings};
   const SmoothingProblem& problem = pass.model.problem();
-  const double most = most_degrees_of_freedom(problem.rows(), problem.unpenalised());
   std::vector<SmoothingPoint> path = problem.path(problem.lambda_grid(kPathPoints));
-  pass.best = std::move(path[choose(path, SmoothingRule::kReml, most)]);
+  pass.best = std::move(path[choose(path, SmoothingRule::kReml, problem.most_edf())]);
   return pass;
 }
 

@@ -18,6 +18,7 @@ constexpr double kLikelihoodGuard = 1.0;
 /// lowest coefficients without any: a path that continued until these count would end anywhere.
 constexpr double kLeastShare = 1e-12;
 constexpr double kMostDetermined = 0.97;
+constexpr double kMostSupported = 0.85;
 
 /// log10 of the λ at which a falling function reaches a target.
 template <typename Function>
@@ -39,12 +40,13 @@ double log_determinant(const Eigen::MatrixXd& positive) {
 
 SmoothingProblem::SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data,
                                    Eigen::MatrixXd penalty, Eigen::VectorXd area,
-                                   Eigen::Index unpenalised)
+                                   Eigen::Index unpenalised, KnownScatter known)
     : design_(std::move(design)),
       data_(std::move(data)),
       penalty_(std::move(penalty)),
       area_(std::move(area)),
-      unpenalised_(unpenalised) {
+      unpenalised_(unpenalised),
+      known_(known) {
   normal_ = design_.transpose() * design_;
   roughness_ = penalty_.transpose() * penalty_;
   linear_ = design_.transpose() * data_;
@@ -88,8 +90,9 @@ std::vector<double> SmoothingProblem::lambda_grid(std::size_t count) const {
   const auto edf = [this](double lambda) { return unconstrained_edf(lambda); };
   const auto q = static_cast<double>(unpenalised_);
   const auto determined = static_cast<double>((spectrum().data > 0.0).count());
-  const double most =
-      std::min(0.85 * static_cast<double>(std::min(rows(), size())), kMostDetermined * determined);
+  const double supported =
+      std::min(static_cast<double>(rows()) + known_.freedom, static_cast<double>(size()));
+  const double most = std::min(kMostSupported * supported, kMostDetermined * determined);
   const double stiff = bisect_log10(edf, q + 0.03);
   const double flexible = bisect_log10(edf, std::max(q + 0.5, most));
   std::vector<double> lambdas(count);
@@ -143,17 +146,17 @@ void SmoothingProblem::score(SmoothingPoint& point) const {
   // Data without noise leave no residual; its logarithm must stay finite.
   point.residual = std::max((data_ - design_ * x).squaredNorm(), 1e-20 * data_.squaredNorm());
   point.roughness = (penalty_ * x).squaredNorm();
-  const auto m = static_cast<double>(rows());
+  const auto m = static_cast<double>(rows()) + known_.freedom;
   const double freedom = m - kGcvInflation * point.edf;
-  point.gcv = freedom > 0.0 ? m * point.residual / (freedom * freedom)
+  point.gcv = freedom > 0.0 ? m * (point.residual + known_.square) / (freedom * freedom)
                             : std::numeric_limits<double>::infinity();
 }
 
 double SmoothingProblem::likelihood(const SmoothingPoint& point) const {
   const Spectrum& shares = spectrum();
-  const auto m = static_cast<double>(rows());
+  const auto m = static_cast<double>(rows()) + known_.freedom;
   const auto q = static_cast<double>(unpenalised_);
-  return (m - q) * std::log(point.residual + point.lambda * point.roughness) +
+  return (m - q) * std::log(point.residual + known_.square + point.lambda * point.roughness) +
          (shares.data + point.lambda * shares.penalty + 1e-300).log().sum() -
          (static_cast<double>(size()) - q) * std::log(point.lambda);
 }
@@ -199,9 +202,9 @@ std::vector<SmoothingPoint> SmoothingProblem::path(const std::vector<double>& la
   return points;
 }
 
-double most_degrees_of_freedom(Eigen::Index rows, Eigen::Index unpenalised) {
-  const auto m = static_cast<double>(rows);
-  return std::max(static_cast<double>(unpenalised) + 0.2, std::min(0.7 * m, m - 3.0));
+double SmoothingProblem::most_edf() const {
+  const double m = static_cast<double>(rows()) + known_.freedom;
+  return std::max(static_cast<double>(unpenalised_) + 0.2, std::min(0.7 * m, m - 3.0));
 }
 
 std::size_t choose(const std::vector<SmoothingPoint>& path, SmoothingRule rule, double most_edf) {

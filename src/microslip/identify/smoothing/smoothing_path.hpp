@@ -16,6 +16,13 @@
 
 namespace microslip {
 
+/// What is known of the scatter beside the rows, as if by so many further rows whose residual does
+/// not depend on the coefficients.
+struct KnownScatter {
+  double square = 0.0;   ///< their squared residual, in units of 1/W
+  double freedom = 0.0;  ///< their number
+};
+
 /// A solution for one λ.
 struct SmoothingPoint {
   double lambda = 0.0;     ///< 1
@@ -36,8 +43,9 @@ class SmoothingProblem {
   /// @param penalty      L: penalty rows × coefficients.
   /// @param area         m: one per coefficient.
   /// @param unpenalised  q, dimension of the null space of L.
+  /// @param known        of the scatter; it counts in the scores of a point.
   SmoothingProblem(Eigen::MatrixXd design, Eigen::VectorXd data, Eigen::MatrixXd penalty,
-                   Eigen::VectorXd area, Eigen::Index unpenalised);
+                   Eigen::VectorXd area, Eigen::Index unpenalised, KnownScatter known = {});
 
   [[nodiscard]] const Eigen::MatrixXd& design() const { return design_; }
   [[nodiscard]] const Eigen::VectorXd& data() const { return data_; }
@@ -47,6 +55,10 @@ class SmoothingProblem {
   [[nodiscard]] Eigen::Index rows() const { return data_.size(); }
   [[nodiscard]] Eigen::Index size() const { return linear_.size(); }
   [[nodiscard]] Eigen::Index unpenalised() const { return unpenalised_; }
+  [[nodiscard]] const KnownScatter& known_scatter() const { return known_; }
+
+  /// Degrees of freedom above which a solution is not supported by the rows and the scatter known.
+  [[nodiscard]] double most_edf() const;
 
   /// WKᵀWK + λLᵀL.
   [[nodiscard]] Eigen::MatrixXd hessian(double lambda) const;
@@ -61,8 +73,8 @@ class SmoothingProblem {
   [[nodiscard]] double stiffest() const { return 1e12 * normal_.trace() / roughness_.trace(); }
 
   /// λ in equal ratios, from almost only the null space of L to as many degrees of freedom as 0.85
-  /// of the rows or coefficients, or almost all that the data determine; both without the
-  /// constraints.
+  /// of the rows with those of the known scatter, or of the coefficients, and almost all that the
+  /// data determine; both without the constraints.
   [[nodiscard]] std::vector<double> lambda_grid(std::size_t count) const;
 
   /// @param start  free coefficients of a neighbour's solution, or all.
@@ -102,6 +114,7 @@ class SmoothingProblem {
   Eigen::MatrixXd penalty_;
   Eigen::VectorXd area_;
   Eigen::Index unpenalised_;
+  KnownScatter known_;
   Eigen::MatrixXd normal_;         // WKᵀWK
   Eigen::MatrixXd normal_ridged_;  // with a ridge at rounding level
   Eigen::MatrixXd roughness_;      // LᵀL
@@ -121,9 +134,6 @@ struct InnerSolutions {
     if (!solution.optimal()) ++not_converged;
   }
 };
-
-/// The limit of both rules: more degrees of freedom than this are not supported by so many rows.
-[[nodiscard]] double most_degrees_of_freedom(Eigen::Index rows, Eigen::Index unpenalised);
 
 /// Index of the chosen point of a path. @param path  not empty.
 [[nodiscard]] std::size_t choose(const std::vector<SmoothingPoint>& path, SmoothingRule rule,
