@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "microslip/base/error.hpp"
@@ -75,6 +77,34 @@ TEST(Scatter, NeedsThreePoints) {
   // One deviation: |½·1 + ½·3 − 5|/√1.5 over the median of |z|.
   const std::vector<double> y{1.0, 5.0, 3.0};
   EXPECT_NEAR(scatter_about_neighbours(three, y), 3.0 / std::sqrt(1.5) / 0.6744897501960817, 1e-14);
+}
+
+// What bends is no scatter: a curve of third order leaves none, where straight lines through
+// neighbours see its curvature. Of eight points there are no cubics.
+TEST(Scatter, NoneAboutACubic) {
+  Points p = points(30, 0.0, 0.0, 3);
+  for (std::size_t i = 0; i < p.x.size(); ++i) p.y[i] = std::pow(0.1 * p.x[i] - 1.0, 3);
+  const std::vector<double> unit(p.x.size(), 1.0);
+  EXPECT_LT(scatter_about_curve(p.x, p.y, unit), 1e-10);
+  EXPECT_GT(scatter_about_neighbours(p.x, p.y), 1e-3);
+  const std::span<const double> x(p.x);
+  const std::span<const double> y(p.y);
+  EXPECT_EQ(scatter_about_curve(x.first(8), y.first(8), std::span(unit).first(8)),
+            scatter_about_neighbours(x.first(8), y.first(8)));
+}
+
+// In units of the deviations of the points, which may differ. 6 % as above.
+TEST(Scatter, AboutACurveIsInDeviations) {
+  Points p = points(4000, 1e-3, 0.0, 4);
+  RandomStream random(5, 0);
+  std::vector<double> sigma;
+  for (double& y : p.y) {
+    sigma.push_back(random.uniform() < 0.5 ? 0.1 : 3.0);
+    y += 2.0 * sigma.back() * random.normal();
+  }
+  EXPECT_NEAR(scatter_about_curve(p.x, p.y, sigma), 2.0, 0.06 * 2.0);
+  sigma.pop_back();
+  EXPECT_THROW((void)scatter_about_curve(p.x, p.y, sigma), InputError);
 }
 
 }  // namespace

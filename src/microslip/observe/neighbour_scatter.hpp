@@ -14,4 +14,13 @@ namespace microslip {
 /// @return   in the unit of y.
 [[nodiscard]] double scatter_about_neighbours(std::span<const double> x, std::span<const double> y);
 
+/// The same about a curve that may bend: each point against the cubic through the two neighbours on
+/// either side, where there are nine points or more; against the straight line of fewer. Over the
+/// standard deviations of the points, so that 1 is what they state.
+/// @param x      strictly increasing; at least 3 points.
+/// @param y      of the length of x.
+/// @param sigma  of each y; > 0.
+[[nodiscard]] double scatter_about_curve(std::span<const double> x, std::span<const double> y,
+                                         std::span<const double> sigma);
+
 }  // namespace microslip

@@ -24,6 +24,8 @@ namespace {
 constexpr double kOverScatter = 3.5;
 /// and more than this share.
 constexpr double kLeastOrder = 0.01;
+/// Noise of k_eq above this share of k hides all departures.
+constexpr double kHidden = 0.1;
 /// Changes of ln A below this count as the same amplitude.
 constexpr double kSameAmplitude = 0.05;
 constexpr Eigen::Index kFewestOfEach = 4;
@@ -121,27 +123,32 @@ bool has_any(const std::vector<Warning>& warnings, std::initializer_list<std::st
   });
 }
 
-/// Deviation of k_eq from that of the joint without their means, over k.
-LevelDepartureVerdict judge_secant(const LevelEvidence& levels, const Joint& joint,
-                                   const SecantEvidence& evidence,
-                                   const std::vector<Warning>& warnings) {
+/// Deviation of k_eq from that of the joint without their means, over k, weighted by 1/σ²; nothing
+/// where σ would hide any.
+std::optional<LevelDepartureVerdict> judge_secant(const LevelEvidence& levels, const Joint& joint,
+                                                  const SecantEvidence& evidence,
+                                                  const std::vector<Warning>& warnings) {
   const double k = joint.stiffness();
   const LevelRows predicted = levels.predict(joint);
   const LevelRows sigma = levels.deviations({.value = predicted}, levels.expected_scatter(k));
   double square = 0.0;
-  double noise = 0.0;
+  double weights = 0.0;
   const std::size_t n = predicted.secant_stiffness.size();
   for (std::size_t i = 0; i < n; ++i) {
+    const double weight = std::pow(k / sigma.secant_stiffness[i], 2);
     const double left =
         levels.levels().secant_stiffness[i] - predicted.secant_stiffness[i] - evidence.offset;
-    square += std::pow(left / k, 2);
-    noise += std::pow(sigma.secant_stiffness[i] / k, 2);
+    square += weight * std::pow(left / k, 2);
+    weights += weight;
   }
-  return {.departure = LevelDeparture::kSecant,
-          .share = std::sqrt(square / static_cast<double>(n)),
-          .noise = std::sqrt(noise / static_cast<double>(n)),
-          .broken = has_any(warnings, {"secant_misfit", "secant_contradicts"}),
-          .quantity = "k_eq"};
+  const double noise = std::sqrt(static_cast<double>(n) / weights);
+  const bool broken = has_any(warnings, {"secant_misfit", "secant_contradicts"});
+  if (!broken && noise > kHidden) return std::nullopt;
+  return LevelDepartureVerdict{.departure = LevelDeparture::kSecant,
+                               .share = std::sqrt(square / weights),
+                               .noise = noise,
+                               .broken = broken,
+                               .quantity = "k_eq"};
 }
 
 LevelDepartureVerdict judge_frequency(const Levels& levels, const FrequencyEvidence& evidence,
@@ -214,7 +221,8 @@ std::vector<LevelDepartureVerdict> judge_levels(const LevelEvidence& levels, con
   std::vector<LevelDepartureVerdict> verdicts;
   if (const auto order = judge_order(levels, joint, linear_damping)) verdicts.push_back(*order);
   if (evidence.secant) {
-    verdicts.push_back(judge_secant(levels, joint, *evidence.secant, warnings));
+    const auto secant = judge_secant(levels, joint, *evidence.secant, warnings);
+    if (secant) verdicts.push_back(*secant);
   }
   if (evidence.frequency) {
     verdicts.push_back(judge_frequency(levels.measured(), *evidence.frequency, warnings));

@@ -26,6 +26,10 @@ constexpr double kMostChangeOfKnown = 1e-3;
 /// there are many pairs.
 constexpr double kSignificantChange = 3.0;
 constexpr double kMicrometre = 1e-6;
+/// Joints that are tried for the softening that the others do not explain, and the levels of which
+/// all pairs are looked at; more determine their joint.
+constexpr std::size_t kSofterJoints = 12;
+constexpr std::size_t kMostForPairs = 100;
 
 std::optional<SecantEvidence> secant_evidence(const LevelEvidence& levels, const Joint& joint) {
   const std::vector<double>& measured = levels.levels().secant_stiffness;
@@ -87,6 +91,19 @@ struct Frequencies {
   [[nodiscard]] std::size_t size() const { return log.size(); }
 };
 
+/// The change between two levels, of which so much of ln f is beyond its deviations.
+FrequencyChange change_between(const Frequencies& levels, std::size_t from, std::size_t to,
+                               double excess) {
+  const double limit = levels.known ? kMostChangeOfKnown : kMostChange;
+  return {.from = levels.amplitude[from],
+          .to = levels.amplitude[to],
+          .from_frequency = levels.frequency[from],
+          .to_frequency = levels.frequency[to],
+          .change = levels.frequency[to] / levels.frequency[from] - 1.0,
+          .explained = std::expm1(levels.softening[to] - levels.softening[from]),
+          .significant = excess > std::log1p(limit)};
+}
+
 /// The pair of levels between which `value` rises most, its deviations subtracted.
 FrequencyChange largest_rise(const Frequencies& levels, const std::vector<double>& value) {
   std::size_t lowest = 0;
@@ -103,14 +120,7 @@ FrequencyChange largest_rise(const Frequencies& levels, const std::vector<double
     }
     if (value[i] + margin(i) < value[lowest] + margin(lowest)) lowest = i;
   }
-  const double limit = levels.known ? kMostChangeOfKnown : kMostChange;
-  return {.from = levels.amplitude[from],
-          .to = levels.amplitude[to],
-          .from_frequency = levels.frequency[from],
-          .to_frequency = levels.frequency[to],
-          .change = levels.frequency[to] / levels.frequency[from] - 1.0,
-          .explained = std::expm1(levels.softening[to] - levels.softening[from]),
-          .significant = most > std::log1p(limit)};
+  return change_between(levels, from, to, most);
 }
 
 /// Half the range of the residual of ln f with a share p.
@@ -141,17 +151,60 @@ double best_share(const Frequencies& levels) {
   return half_range(levels, 0.0) <= half_range(levels, found) ? 0.0 : found;
 }
 
-std::optional<FrequencyEvidence> frequency_evidence(const Levels& levels, const Joint& joint) {
+/// The fall that exceeds the softening of one joint most.
+FrequencyChange largest_fall(const Frequencies& levels) {
+  std::vector<double> unexplained;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    unexplained.push_back(levels.softening[i] - levels.log[i]);
+  }
+  return largest_rise(levels, unexplained);
+}
+
+/// The same beyond each of several joints: of any two levels that one counts which softens most
+/// between them.
+FrequencyChange largest_fall(const std::vector<Frequencies>& joints) {
+  const Frequencies& levels = joints.front();
+  FrequencyChange worst;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t from = 0; from < levels.size(); ++from) {
+    for (std::size_t to = from + 1; to < levels.size(); ++to) {
+      double softest = 0.0;
+      for (const Frequencies& joint : joints) {
+        softest = std::min(softest, joint.softening[to] - joint.softening[from]);
+      }
+      const double margin = kSignificantChange * (levels.deviation[from] + levels.deviation[to]);
+      const double excess = levels.log[from] - levels.log[to] + softest - margin;
+      if (excess <= most) continue;
+      most = excess;
+      worst = change_between(levels, from, to, excess);
+      worst.explained = std::expm1(softest);
+    }
+  }
+  return worst;
+}
+
+/// The same beyond any joint that is possible: the softest over the fall found so far joins those
+/// that explain it, and so on.
+FrequencyChange unexplained_fall(const Levels& levels, const Frequencies& sorted,
+                                 const SoftestJoint& softest) {
+  FrequencyChange fall = largest_fall(sorted);
+  if (!softest || sorted.size() > kMostForPairs) return fall;
+  std::vector<Frequencies> joints{sorted};
+  while (fall.significant && fall.from < fall.to && joints.size() <= kSofterJoints) {
+    joints.emplace_back(levels, softest(fall.from, fall.to));
+    fall = largest_fall(joints);
+  }
+  return fall;
+}
+
+std::optional<FrequencyEvidence> frequency_evidence(const Levels& levels, const Joint& joint,
+                                                    const SoftestJoint& softest) {
   if (levels.frequency.empty() || levels.size() < 2) return std::nullopt;
   const Frequencies sorted(levels, joint);
   FrequencyEvidence evidence;
   evidence.rise = largest_rise(sorted, sorted.log);
   evidence.rise.explained = 0.0;
-  std::vector<double> unexplained_fall;
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    unexplained_fall.push_back(sorted.softening[i] - sorted.log[i]);
-  }
-  evidence.fall = largest_rise(sorted, unexplained_fall);
+  evidence.fall = unexplained_fall(levels, sorted, softest);
   evidence.share = best_share(sorted);
   const double typical = std::exp(std::accumulate(sorted.log.begin(), sorted.log.end(), 0.0) /
                                   static_cast<double>(sorted.size()));
@@ -200,9 +253,10 @@ void diagnose_frequency(const FrequencyEvidence& evidence, std::vector<Warning>&
 
 }  // namespace
 
-StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint) {
+StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint,
+                                     const SoftestJoint& softest) {
   return {.secant = secant_evidence(levels, joint),
-          .frequency = frequency_evidence(levels.measured(), joint)};
+          .frequency = frequency_evidence(levels.measured(), joint, softest)};
 }
 
 std::optional<Warning> diagnose_offset(const SecantEvidence& secant, double stiffness,

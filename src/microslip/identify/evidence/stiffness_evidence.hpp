@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,7 +40,7 @@ struct FrequencyChange {
   double from_frequency = 0.0;  ///< Hz
   double to_frequency = 0.0;    ///< Hz
   double change = 0.0;          ///< of the frequency, relative, 1
-  double explained = 0.0;       ///< the most that the joint explains of it, 1
+  double explained = 0.0;       ///< the most that a possible joint explains of it, 1
   bool significant = false;     ///< beyond the given deviations, or steps of a drive
 };
 
@@ -63,9 +64,16 @@ struct StiffnessEvidence {
       frequency;  ///< where frequencies of two levels or more are given
 };
 
-/// @param levels  with their errors.
-/// @param joint   identified from them.
-[[nodiscard]] StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint);
+/// The joint that softens most from one amplitude to a higher one, m, of those that the levels
+/// leave possible.
+using SoftestJoint = std::function<Joint(double from, double to)>;
+
+/// @param levels   with their errors.
+/// @param joint    identified from them.
+/// @param softest  with it a fall of the frequency is significant only where none of these joints
+///                 explains it; without it `joint` is taken for certain.
+[[nodiscard]] StiffnessEvidence stiffness_evidence(const LevelEvidence& levels, const Joint& joint,
+                                                   const SoftestJoint& softest = {});
 
 /// Warnings of the evidence:
 ///   * `secant_inconsistent`     the mean of k_eq deviates from that of the joint by more than 1 %

@@ -15,6 +15,7 @@
 #include "microslip/base/stopwatch.hpp"
 #include "microslip/identify/evidence/stiffness_evidence.hpp"
 #include "microslip/identify/inversion/inverted_joint.hpp"
+#include "microslip/identify/inversion/possible_joints.hpp"
 #include "microslip/identify/methods/diagnostics.hpp"
 #include "microslip/identify/smoothing/differences.hpp"
 
@@ -159,9 +160,15 @@ bool has_code(const std::vector<Warning>& warnings, std::string_view code) {
 
 /// Judges the stiffness of the final joint, whatever the inversion found for its own.
 void judge_stiffness(const LevelEvidence& levels, Identification& found) {
-  found.stiffness = stiffness_evidence(levels, found.joint);
-  std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
   const InversionResult* inversion = found.parametric ? nullptr : found.inversion();
+  SoftestJoint softest;
+  if (inversion) {
+    softest = [&](double from, double to) {
+      return softest_joint(*inversion, found.joint.stiffness(), from, to);
+    };
+  }
+  found.stiffness = stiffness_evidence(levels, found.joint, softest);
+  std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
   const bool reported =
       inversion && inversion->secant_scatter && has_code(found.warnings, "scatter_large");
   for (Warning& warning : diagnose(found.stiffness, found.joint)) {

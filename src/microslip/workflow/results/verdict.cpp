@@ -14,6 +14,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/identify/evidence/stiffness_evidence.hpp"
+#include "microslip/identify/inversion/possible_joints.hpp"
 #include "microslip/identify/methods/density_comparison.hpp"
 #include "microslip/workflow/results/level_quantities.hpp"
 #include "microslip/workflow/text/flag_meanings.hpp"
@@ -48,7 +49,8 @@ std::optional<Warning> foreign_misfit(const ExperimentResults& results,
 
 /// The stiffness of the levels compared with the joint, as in its identification. The resonance
 /// where it was measured, else the drive.
-std::vector<Warning> judge_stiffness(const ExperimentResults& results) {
+std::vector<Warning> judge_stiffness(const ExperimentResults& results,
+                                     const std::optional<MethodComparison>& methods) {
   const MeasuredLevels& test = *results.levels;
   Levels levels = test.levels;
   if (!test.resonance_frequency.empty()) {
@@ -57,7 +59,16 @@ std::vector<Warning> judge_stiffness(const ExperimentResults& results) {
     levels.frequency = test.frequency;
   }
   if (levels.frequency_std.size() != levels.frequency.size()) levels.frequency_std.clear();
-  return diagnose(stiffness_evidence(levels, results.joint->joint), results.joint->joint);
+  const Joint& joint = results.joint->joint;
+  const InversionResult* inversion =
+      methods && results.joint->from_these_levels ? methods->inversion.inversion() : nullptr;
+  SoftestJoint softest;
+  if (inversion) {
+    softest = [&](double from, double to) {
+      return softest_joint(*inversion, joint.stiffness(), from, to);
+    };
+  }
+  return diagnose(stiffness_evidence(levels, joint, softest), joint);
 }
 
 /// One for each code, with the number of records that carry it.
@@ -142,7 +153,8 @@ std::vector<Warning> warnings_of(const ExperimentResults& results,
   };
   if (const auto misfit = foreign_misfit(results, methods)) add(misfit->code, misfit->text);
   if (results.joint && results.levels) {
-    for (const Warning& warning : judge_stiffness(results)) add(warning.code, warning.text);
+    for (const Warning& warning : judge_stiffness(results, methods))
+      add(warning.code, warning.text);
   }
   if (results.joint && results.levels && results.joint->method.empty()) {
     add("joint_of_unknown_origin",
