@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
 
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/median.hpp"
+#include "microslip/base/random.hpp"
 #include "microslip/calibrate/calibration_draws.hpp"
 #include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -21,6 +23,9 @@ namespace {
 /// than the loss of either, which is known to this share of it at best.
 constexpr double kTogetherRatio = 5.0;
 constexpr double kKnownAlone = 0.05;
+/// Random stream of the errors of the displacement of the first level, far above those of the
+/// chains; the others follow below it.
+constexpr std::uint64_t kDisplacementStream = std::numeric_limits<std::uint64_t>::max();
 
 Estimate band_of(std::vector<double> values, double confidence) {
   const double mean =
@@ -186,6 +191,25 @@ std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evid
     const Eigen::RowVectorXd row = draws.unknowns.of(j).dissipation_row(a);
     for (const Eigen::VectorXd& x : draws.posterior) {
       losses[j].push_back(std::max(0.0, row.dot(draws.unknowns.part(j, x))));
+    }
+  }
+  return losses;
+}
+
+/// The losses at the true displacement of the response point, of which the measured one has an
+/// error: the same one for all joints in each draw.
+/// @param share   change of the loss of each joint of the structure by one standard deviation of
+///                that, J.
+/// @param losses  [joint][draw], J.
+std::vector<std::vector<double>> at_true_displacement(const AllUnknowns& unknowns,
+                                                      const std::vector<double>& share,
+                                                      RandomStream& random,
+                                                      std::vector<std::vector<double>> losses) {
+  if (std::ranges::all_of(share, [](double each) { return each == 0.0; })) return losses;
+  for (std::size_t i = 0; i < losses.front().size(); ++i) {
+    const double error = random.normal();
+    for (std::size_t j = 0; j < losses.size(); ++j) {
+      losses[j][i] = std::max(0.0, losses[j][i] + share[unknowns.index(j)] * error);
     }
   }
   return losses;
@@ -513,6 +537,9 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   result.frequency_scatter = state.evidence.of(RowKind::kFrequency).has_freedom()
                                  ? state.settled.weights.of(RowKind::kFrequency)
                                  : 0.0;
+  result.sensor_scatter = state.evidence.of(RowKind::kAmplitude).has_freedom()
+                              ? state.settled.weights.of(RowKind::kAmplitude)
+                              : 0.0;
   result.edges_sought = range.edges_sought();
   result.edf = state.settled.edf;
   read_joints(evidence, options, state, draws, joints, states, result);
@@ -521,8 +548,14 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   std::vector<std::vector<std::vector<double>>> losses;
   for (const std::size_t level : all) {
     losses.push_back(losses_of_draws(evidence, draws, states, level));
-    result.levels.push_back(
-        read_level(evidence, draws.unknowns, losses.back(), options, states, level));
+    std::vector<std::vector<double>> banded = losses.back();
+    if (states.at(level)) {
+      RandomStream random(options.seed, kDisplacementStream - level);
+      const LevelDeviations deviations = deviations_about(evidence, draws.unknowns, states, level);
+      banded = at_true_displacement(draws.unknowns, deviations.by_displacement, random,
+                                    std::move(banded));
+    }
+    result.levels.push_back(read_level(evidence, draws.unknowns, banded, options, states, level));
   }
   read_pairs(losses, result);
   read_loss_told(losses, result);

@@ -98,6 +98,8 @@ struct CalibrationResult {
   double loss_scatter = 0.0;  ///< of the losses: over σ where given, else relative
   /// Scatter of the frequencies: over σ where given, else relative; 0 without.
   double frequency_scatter = 0.0;
+  /// Scatter of displacements of joints by sensors over their σ; 0 where none has one.
+  double sensor_scatter = 0.0;
   bool loss_std_given = false;         ///< whether σ of all losses was known
   bool frequency_std_given = false;    ///< whether σ of all frequencies was known
   bool edges_sought = false;           ///< whether edges were requested and the levels sufficient

@@ -127,7 +127,7 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
       // Given deviations are not reduced: few levels leave no residual, and an error common to
       // neighbouring ones does not show in it.
       least_{evidence_.loss_std_given ? 1.0 : kLeastLossScatter,
-             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0},
+             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0, 1.0},
       all_(evidence_.levels.size()),
       exponents_(sought.size(), 0.0),
       edges_(sought.size()) {
@@ -144,8 +144,12 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
 ScatterBounds GrowingRange::bounds() const {
   ScatterBounds bounds{.least = least_};
   if (!deviations_believed_) return bounds;
-  if (evidence_.loss_std_given) bounds.most[0] = bounds.least[0];
-  if (evidence_.frequency_std_given) bounds.most[1] = bounds.least[1];
+  const auto believe = [&](RowKind kind) {
+    bounds.most[static_cast<std::size_t>(kind)] = bounds.least[static_cast<std::size_t>(kind)];
+  };
+  if (evidence_.loss_std_given) believe(RowKind::kLoss);
+  if (evidence_.frequency_std_given) believe(RowKind::kFrequency);
+  believe(RowKind::kAmplitude);
   return bounds;
 }
 
