@@ -13,6 +13,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/calibrate/joint_edges.hpp"
+#include "microslip/calibrate/step_share.hpp"
 
 namespace microslip {
 namespace {
@@ -36,6 +37,10 @@ constexpr int kMostPasses = 30;
 constexpr int kPassesOfWeights = 8;
 /// Largest relative change of an amplitude that counts as none: far below its uncertainty.
 constexpr double kSmallestChange = 1e-5;
+/// A change of what a level shows over its standard deviation that is none in the result.
+constexpr double kNegligible = 0.1;
+/// Share of the steps with kept weights, at first.
+constexpr double kShareOfSteps = 0.5;
 /// The same before exponents are compared: a tenth of its uncertainty.
 constexpr double kSteady = 1e-3;
 /// χ₀ that are tried beside 0, and the required gain of their −2 ln likelihood, as for
@@ -106,16 +111,6 @@ double objective(const LinearEvidence& evidence, const EvidenceWeights& weights,
   return sum / std::max(rows, 1.0);
 }
 
-/// Largest relative change of frequencies and displacements; 1 of those that were not found.
-double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
-  double change = 0.0;
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    if (before[k] == after[k]) continue;
-    change = std::max(change, before[k] > 0.0 ? std::abs(after[k] / before[k] - 1.0) : 1.0);
-  }
-  return change;
-}
-
 }  // namespace
 
 GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::size_t>& sought,
@@ -154,12 +149,15 @@ ScatterBounds GrowingRange::bounds() const {
 }
 
 /// Least and largest amplitude of a joint. A level that was not found counts where it is not far
-/// beyond the others: it may be found later.
+/// beyond the others, as it may be found later, or where none of the others moves the joint.
 std::pair<double, double> GrowingRange::reach(std::size_t joint) const {
+  const bool moves = std::ranges::any_of(all_, [&](std::size_t level) {
+    return !states_.missed(level) && used_amplitude(evidence_, states_, level, joint) > 0.0;
+  });
   double least = std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (const std::size_t level : all_) {
-    if (states_.missed(level)) continue;
+    if (moves && states_.missed(level)) continue;
     const double a = used_amplitude(evidence_, states_, level, joint);
     least = std::min(least, a);
     largest = std::max(largest, a);
@@ -214,8 +212,7 @@ CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which
   states_.solve(which);
   LinearisedLevels linear = linearise(evidence_, unknowns, states_, which, x);
   LinearEvidence evidence = in_terms_of(evidence_, unknowns, linear);
-  const auto found = static_cast<std::size_t>(std::ranges::count_if(
-      which, [&](std::size_t level) { return states_.at(level).has_value(); }));
+  const std::size_t found = found_of(which);
   return {std::move(unknowns), which, found, std::move(x), std::move(linear),
           std::move(evidence), {}};
 }
@@ -228,16 +225,25 @@ CalibratedState GrowingRange::step(const std::vector<std::size_t>& which,
   const AllUnknowns now = unknowns(found_with(exponents));
   const Eigen::VectorXd from = projected(now, before.unknowns, before.about);
   Eigen::VectorXd to = projected(now, before.unknowns, before.settled.x);
-  if (keep_weights_) to = 0.5 * (to + from);  // where full steps oscillate
+  if (keep_weights_) to = from + share_ * (to - from);  // where full steps oscillate
   const double misfit = objective(before.evidence, before.settled.weights, before.about);
+  const LevelStates::Vibrations start = states_.vibrations();
+  const auto worse = [&](const CalibratedState& next) {
+    if (found_of(before.levels) < before.found) return true;
+    return which == before.levels && objective(next.evidence, before.settled.weights, to) > misfit;
+  };
   CalibratedState next = linear_about(which, now, to);
-  for (int i = 0; i < kMostHalvings && which == before.levels; ++i) {
-    const bool lost = next.found < before.found;
-    if (!lost && objective(next.evidence, before.settled.weights, to) <= misfit) break;
+  for (int i = 0; i < kMostHalvings && worse(next); ++i) {
     to = 0.5 * (to + from);
+    states_.set_vibrations(start);  // a step too far may lead to other vibrations
     next = linear_about(which, now, to);
   }
   return next;
+}
+
+std::size_t GrowingRange::found_of(const std::vector<std::size_t>& levels) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      levels, [&](std::size_t level) { return states_.at(level).has_value(); }));
 }
 
 CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
@@ -306,7 +312,7 @@ CalibratedState GrowingRange::grow() {
 CalibratedState GrowingRange::steadied(CalibratedState state) {
   keep_weights_ = false;
   for (int i = 0; i < kPassesOfWeights; ++i) {
-    const std::vector<double> before = vibrations();
+    const std::vector<LevelVibration> before = vibrations();
     state = pass(all_, &state, exponents_);
     if (largest_change(before, vibrations()) < kSteady) break;
   }
@@ -351,30 +357,44 @@ CalibratedState GrowingRange::choose_exponents(const CalibratedState& start) {
   return best;
 }
 
-/// Frequency and displacements of the joints of each level; 0 where it was not found.
-std::vector<double> GrowingRange::vibrations() const {
-  std::vector<double> all;
-  for (const std::size_t level : all_) {
-    const bool found = states_.at(level).has_value();
-    all.push_back(found ? states_.at(level)->angular_frequency : 0.0);
-    for (const std::size_t joint : sought_) {
-      all.push_back(found ? states_.amplitude(level, joint) : 0.0);
-    }
-  }
-  return all;
+std::vector<LevelVibration> GrowingRange::vibrations() const {
+  return vibrations_of(states_, evidence_.levels.size(), sought_);
+}
+
+/// The verdict on passes that have not converged: they have where what they still change is far
+/// below what the levels are known to.
+/// @param change  relative, by a whole step. @param over_deviations  the same of what rows show.
+void GrowingRange::judge_limit(const CalibratedState& state, double change,
+                               double over_deviations) {
+  summary_.residual = change;
+  summary_.reason = fmt::format(
+      "joint displacements still change by {:.1e}, relative, after {} passes: losses, frequencies "
+      "and displacements by {:.2g} of their standard deviations at most",
+      change, kMostPasses, over_deviations);
+  const bool within = over_deviations <= kNegligible && state.settled.solution.optimal();
+  summary_.stop = within ? Stop::kConverged : Stop::kLimit;
 }
 
 CalibratedState GrowingRange::converge(CalibratedState state) {
   summary_.method = "levels of several joints";
   keep_weights_ = false;
+  StepShare share(kShareOfSteps);
+  double over_deviations = 0.0;
   for (int i = 0; i < kMostPasses; ++i) {
-    const std::vector<double> before = vibrations();
+    const std::vector<LevelVibration> before = vibrations();
     keep_weights_ = i >= kPassesOfWeights;
+    share_ = keep_weights_ ? share.share() : 1.0;
     state = pass(all_, &state, exponents_);
     const double change = largest_change(before, vibrations());
     summary_.residual = change;
     summary_.iterations = i + 1;
-    if (change > kSmallestChange) continue;
+    if (change > kSmallestChange * std::min(1.0, share_ / kShareOfSteps)) {
+      over_deviations = change_over_deviations(before, vibrations(), state.linear,
+                                               state.settled.weights, states_, sought_) /
+                        share_;
+      if (keep_weights_) share.take(change);
+      continue;
+    }
     read_optimality(state.settled.solution, "optimality conditions", summary_);
     if (!state.settled.solution.optimal()) return state;
     summary_.residual = change;
@@ -383,10 +403,7 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
         fmt::format("no joint displacement changes by more than {:.1e}, relative", kSmallestChange);
     return state;
   }
-  summary_.stop = Stop::kLimit;
-  summary_.reason =
-      fmt::format("joint displacements still change by {:.1e}, relative, after {} passes",
-                  summary_.residual, kMostPasses);
+  judge_limit(state, summary_.residual / share_, over_deviations);
   return state;
 }
 

@@ -54,6 +54,11 @@ class LevelStates {
     return stuck_shape_[levels_.mode[level]][joint] * levels_.displacement[level];
   }
 
+  /// The vibrations of all levels, to return to.
+  using Vibrations = std::vector<std::optional<SteadyVibration>>;
+  [[nodiscard]] const Vibrations& vibrations() const { return states_; }
+  void set_vibrations(const Vibrations& vibrations) { states_ = vibrations; }
+
   /// Drops a level that the joints were not identified from.
   void drop(std::size_t level) { states_[level].reset(); }
 
