@@ -9,10 +9,12 @@
 #include <numeric>
 #include <utility>
 
+#include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/calibrate/calibration_draws.hpp"
+#include "microslip/calibrate/mode_offsets.hpp"
 #include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/joint/dissipation.hpp"
 
@@ -219,7 +221,8 @@ void read_vibration(const CalibrationEvidence& evidence, const LevelStates& stat
                     std::size_t level, CalibratedLevel& fitted) {
   const SteadyVibration& vibration = *states.at(level);
   fitted.found = true;
-  fitted.frequency = vibration.frequency();
+  fitted.frequency =
+      vibration.frequency() * std::exp(-states.offset_taken(evidence.levels.mode[level]));
   fitted.damping_ratio = vibration.damping_ratio();
   fitted.dissipation = 0.0;
   for (std::size_t j = 0; j < fitted.joints.size(); ++j) {
@@ -380,6 +383,22 @@ void read_offsets_of_levels(const ModalLevels& levels, const std::vector<double>
   }
 }
 
+/// ω of a level as measured over that of the structure as it was given, minus 1; NaN without.
+double error_of_given(const ModalLevels& levels, std::size_t level, const LevelStates& states) {
+  const double error = frequency_error(levels, level, *states.at(level));
+  return (1.0 + error) * std::exp(states.offset_taken(levels.mode[level])) - 1.0;
+}
+
+/// The modes that explain the offsets; nothing where no structure has them.
+void read_found_modes(const CalibrationEvidence& evidence, const LevelStates& states,
+                      CalibrationResult& result) {
+  if (evidence.frequency != FrequencyUse::kChange) return;
+  try {
+    result.modes = found_modes(states.given(), level_offsets(evidence.levels, states));
+  } catch (const InputError&) {
+  }
+}
+
 /// Mean over the levels of each mode of their frequency offsets.
 void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
                   CalibrationResult& result) {
@@ -389,7 +408,7 @@ void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states
   std::vector<double> errors(evidence.levels.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < evidence.levels.size(); ++i) {
     if (!states.at(i)) continue;
-    errors[i] = frequency_error(evidence.levels, i, *states.at(i));
+    errors[i] = error_of_given(evidence.levels, i, states);
     if (std::isnan(errors[i])) continue;
     sum[evidence.levels.mode[i]] += errors[i];
     count[evidence.levels.mode[i]] += 1.0;
@@ -499,8 +518,7 @@ void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unk
     if (!result.levels[i].found) continue;
     result.levels[i].loss_noise = loss_noise(evidence, i, *states.at(i), result);
     const LevelDeviations deviations = deviations_about(evidence, unknowns, states, i);
-    read_residuals(evidence, i, frequency_error(evidence.levels, i, *states.at(i)), deviations,
-                   result);
+    read_residuals(evidence, i, error_of_given(evidence.levels, i, states), deviations, result);
     std::vector<std::pair<std::size_t, double>> sought;
     for (std::size_t j = 0; j < unknowns.count(); ++j) {
       const std::size_t joint = unknowns.index(j);
@@ -561,6 +579,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   read_loss_told(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
+  read_found_modes(evidence, states, result);
   read_deviations(evidence, draws.unknowns, states, losses, result);
 }
 

@@ -13,6 +13,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/calibrate/joint_edges.hpp"
+#include "microslip/calibrate/mode_offsets.hpp"
 #include "microslip/calibrate/step_share.hpp"
 
 namespace microslip {
@@ -443,6 +444,7 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   require_levels(state);
   require_losses(state);
   state = steadied(std::move(state));
+  if (!fit_stiffness && correct_modes()) state = steadied(relinearised(state));
   deviations_believed_ = false;
   state = choose_exponents(state);
   if (!fit_stiffness) {
@@ -459,6 +461,30 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   state = converge(with_edges(choose_exponents(relinearised(state))));
   weigh_edges(state);
   return state;
+}
+
+/// Softening is relative to the frequencies of the structure: where these are off by more than
+/// they are known to, losses and frequencies of the levels are of no joints together.
+/// @return whether they were corrected.
+bool GrowingRange::correct_modes() {
+  if (evidence_.frequency != FrequencyUse::kChange || evidence_.stuck_shapes) return false;
+  const std::vector<LevelOffset> levels = level_offsets(evidence_.levels, states_);
+  try {
+    const FoundModes modes = found_modes(states_.given(), levels);
+    if (!modes.any()) return false;
+    const std::size_t count = states_.structure().linear().vibrations();
+    std::vector<double> taken(count, 0.0);
+    std::vector<double> of_mode(count, 0.0);
+    for (const LevelOffset& level : levels) {
+      taken[level.mode] += level.offset;
+      of_mode[level.mode] += 1.0;
+    }
+    for (std::size_t m = 0; m < count; ++m) taken[m] /= std::max(1.0, of_mode[m]);
+    states_.correct(modes.offset, std::move(taken));
+    return true;
+  } catch (const InputError&) {  // no structure has them: that given is the best there is
+    return false;
+  }
 }
 
 bool GrowingRange::edges_sought() const {

@@ -105,6 +105,7 @@ class GrowingRange {
   [[nodiscard]] AllUnknowns unknowns(const Variant& variant) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
   [[nodiscard]] CalibratedState grow();
+  [[nodiscard]] bool correct_modes();
   [[nodiscard]] CalibratedState tried(const CalibratedState& start,
                                       const std::vector<double>& exponents);
   void take_if_likelier(const CalibratedState& start, const std::vector<double>& exponents,
