@@ -467,7 +467,8 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
 /// they are known to, losses and frequencies of the levels are of no joints together.
 /// @return whether they were corrected.
 bool GrowingRange::correct_modes() {
-  if (evidence_.frequency != FrequencyUse::kChange || evidence_.stuck_shapes) return false;
+  if (!options_.correct_modes || evidence_.stuck_shapes) return false;
+  if (evidence_.frequency != FrequencyUse::kChange) return false;
   const std::vector<LevelOffset> levels = level_offsets(evidence_.levels, states_);
   try {
     const FoundModes modes = found_modes(states_.given(), levels);
