@@ -19,10 +19,8 @@ namespace {
 /// Closer to each other, relative, two knots are one; those of an edge are not.
 constexpr double kSameKnot = 1e-9;
 /// Few levels leave peaks and ends of a density possible that they do not show: the prior of its
-/// roughness is wide and tilted to the rough, a of PossibleSmoothing over the rows of L. Chosen in
-/// view of the coverage of bands of 4 to 12 levels.
+/// roughness is wide. Chosen in view of the coverage of bands of 4 to 12 levels.
 constexpr double kRougherOfFew = 1e-5;
-constexpr double kTiltOfFew = 0.125;
 /// Scatter of few levels, over that of the estimate.
 constexpr double kMostOfFew = 4.0;
 /// Deviation of LocalSmoothing where L may have a trend.
@@ -164,10 +162,7 @@ PossibleSmoothing possible_smoothing(const InversionModel& model) {
   if (model.lambda_fixed) return possible;
   possible.least = of_unit * model.path.back().lambda;
   possible.most = of_unit * model.path.front().lambda;
-  if (!model.few_levels()) return possible;
-  possible.least *= kRougherOfFew;
-  possible.tilt =
-      model.few_share() * kTiltOfFew * static_cast<double>(model.problem().penalty().rows());
+  if (model.few_levels()) possible.least *= kRougherOfFew;
   return possible;
 }
 

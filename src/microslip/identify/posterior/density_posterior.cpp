@@ -94,7 +94,6 @@ ChainTarget chain_target(const DensityPosterior& posterior) {
   target.local_deviation = posterior.local_deviation;
   target.least_lambda = posterior.smoothing.least;
   target.most_lambda = posterior.smoothing.most;
-  target.lambda_tilt = posterior.smoothing.tilt;
   return target;
 }
 

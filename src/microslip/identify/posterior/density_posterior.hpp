@@ -41,7 +41,6 @@ struct PossibleSmoothing {
   double least = 0.0;   ///< > 0
   double most = 0.0;    ///< the same where λ was fixed
   double chosen = 0.0;  ///< where a chain starts
-  double tilt = 0.0;    ///< a of the prior ∝ λ^−a of ln λ: rough densities are likelier
 };
 
 /// One density drawn from the posterior; itself a feasible Iwan density.
@@ -58,8 +57,8 @@ struct DensitySample {
 ///     −2 ln p(x, λ, l, s) = Σ of the kinds of rows + 2 ln s each
 ///                           + Σ_j (λl_j(Lx)_j² − ln λl_j) + 2 ln λ − 2 ln p(l),
 ///
-/// with flat priors of ln s of each kind and of ln λ, but for its tilt, and a smoothness that may
-/// change along the density: l_j, see theory.md, section 5.
+/// with flat priors of ln λ and of ln s of each kind, and a smoothness that may change along the
+/// density: l_j, see theory.md, section 5.
 struct DensityPosterior {
   // Meaning of the coefficients.
   std::vector<double> slip_force;      ///< knots of the density, N; rising

@@ -150,8 +150,7 @@ void PosteriorChain::move_with_lambda(Smoothing& smoothing, RandomStream& random
   if (!(lambda >= smoothing.block.least_lambda && lambda <= smoothing.block.most_lambda)) return;
   moved_.set(hessian_with(smoothing, lambda, smoothing.roughness), linear_);
   const double rank = static_cast<double>(smoothing.block.rows);
-  const double power = 0.5 * rank - target_.lambda_tilt;
-  if (moves_along(power * std::log(lambda / smoothing.lambda), random)) {
+  if (moves_along(0.5 * rank * std::log(lambda / smoothing.lambda), random)) {
     smoothing.lambda = lambda;
   }
 }
@@ -186,11 +185,11 @@ Eigen::VectorXd PosteriorChain::bends(const Smoothing& smoothing) const {
   return (own * x_).cwiseAbs2();
 }
 
-// λ | x ~ Gamma(r/2 − a) of rate ½Σ l_j (Lx)_j², between its ends.
+// λ | x ~ Gamma(r/2) of rate ½Σ l_j (Lx)_j², between its ends.
 void PosteriorChain::draw_lambda(Smoothing& smoothing, RandomStream& random) {
   const double least = smoothing.block.least_lambda;
   const double most = smoothing.block.most_lambda;
-  const double shape = 0.5 * static_cast<double>(smoothing.block.rows) - target_.lambda_tilt;
+  const double shape = 0.5 * static_cast<double>(smoothing.block.rows);
   const double sum = smoothing.local.factors().dot(bends(smoothing));
   const double rate = 0.5 * std::max(sum, 1e-300);
   const double below = boost::math::gamma_p(shape, rate * least, DrawPolicy());

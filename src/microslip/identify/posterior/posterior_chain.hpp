@@ -40,18 +40,17 @@ struct ChainBlock {
 /// kind of rows, the smoothing λ and its local factors l,
 ///
 ///     p ∝ Π_g τ_g^−(m_g + 2) exp(−(‖D_g x − d_g‖² + more_g)/2τ_g²)
-///         · λ^(r/2 − 1 − a) Π_j √l_j exp(−½λ l_j (Lx)_j²) · p(l)
+///         · λ^(r/2 − 1) Π_j √l_j exp(−½λ l_j (Lx)_j²) · p(l)
 ///
-/// within limits: the priors of ln λ and ln τ are flat where a is 0. λ stays between two ends:
-/// where a density as smooth as can be is possible, so is any λ above. Where the two are equal, l
-/// is 1 too. With blocks the second line is a product of those of each.
+/// within limits: the priors of ln λ and ln τ are flat. λ stays between two ends: where a
+/// density as smooth as can be is possible, so is any λ above. Where the two are equal, l is 1
+/// too. With blocks the second line is a product of those of each.
 struct ChainTarget {
   std::vector<ChainRows> rows;
   Eigen::MatrixXd penalty;  ///< L, r × coefficients
   LinearLimits limits;
   double least_lambda = 0.0;
   double most_lambda = 0.0;
-  double lambda_tilt = 0.0;  ///< a of all blocks; below half of the rows of each
   /// The blocks of all rows of L, from above; empty: one block between the two ends.
   std::vector<ChainBlock> blocks = {};
   double local_deviation = 3.0;  ///< of LocalSmoothing
