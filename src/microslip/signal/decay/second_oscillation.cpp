@@ -300,6 +300,23 @@ Baseband without_last(const Baseband& band, const Eigen::Vector2d& place) {
   return rest;
 }
 
+/// Whether the two beat: their phases turn by half a period against each other while the second is
+/// not small beside the mode. Otherwise it may be a part of the mode's own decay.
+bool beats(const Baseband& band, const Fitted& two) {
+  constexpr double kSmall = 0.1;  // of the largest ratio
+  const OscillationFit fit(band, two.model);
+  const Eigen::VectorXcd mode = fit.mode(two.p);
+  const Eigen::VectorXcd ratio =
+      fit.second(fit.second_omega(two.p), fit.second_decay(two.p)).cwiseQuotient(mode);
+  const double least = kSmall * ratio.cwiseAbs().maxCoeff();
+  double turned = 0.0;
+  for (Eigen::Index i = 1; i < ratio.size(); ++i) {
+    if (std::abs(ratio[i]) < least) continue;
+    turned += std::abs(std::arg(ratio[i] * std::conj(ratio[i - 1])));
+  }
+  return turned > std::numbers::pi;
+}
+
 /// A mode with a joint and an oscillation beside it, where that explains nearly all that the mode
 /// alone leaves.
 std::optional<SecondOscillation> beside_jointed_mode(Baseband band) {
@@ -310,7 +327,7 @@ std::optional<SecondOscillation> beside_jointed_mode(Baseband band) {
   constexpr double kMuch = 50.0;
   constexpr double kLittle = 50.0;
   constexpr double kNearlyAll = 20.0;  // times less of χ² with the other
-  constexpr double kFarthest = 4.0;    // between the two, of the larger decay rate
+  constexpr double kFarthest = 4.0;    // between the two, of the mode's decay rate
   constexpr int kCubic = 4;
   if (band.value.size() < kFewest) return std::nullopt;
   // What outlasts the mode makes the walk slow.
@@ -334,10 +351,9 @@ std::optional<SecondOscillation> beside_jointed_mode(Baseband band) {
   const double most = std::min(alone.chi_square / kNearlyAll, kLittle * band.independent());
   if (!(best.chi_square < most)) return std::nullopt;
   const auto found = oscillation_of(band, best);
-  if (!found || found->ratio > 1.0) return std::nullopt;
-  const double rate = std::max(found->decay, found->mode_decay);
-  const bool near = std::abs(found->omega - found->mode_omega) < kFarthest * rate;
-  return near ? found : std::nullopt;
+  if (!found || found->ratio > 1.0 || found->decay > found->mode_decay) return std::nullopt;
+  const bool near = std::abs(found->omega - found->mode_omega) < kFarthest * found->mode_decay;
+  return near && beats(band, best) ? found : std::nullopt;
 }
 
 /// Returns whether other evidence also shows a steady tone.
