@@ -323,11 +323,12 @@ std::optional<SecondOscillation> beside_jointed_mode(Baseband band) {
   constexpr Eigen::Index kFewest = 32;
   constexpr std::size_t kStarts = 5;
   // χ² of a mode with a joint alone, over its expected value: joints of other kinds than the fitted
-  // leave some ten. Of both together: so much is left where the other is strong.
+  // leave some ten.
   constexpr double kMuch = 50.0;
-  constexpr double kLittle = 50.0;
-  constexpr double kNearlyAll = 20.0;  // times less of χ² with the other
-  constexpr double kFarthest = 4.0;    // between the two, of the mode's decay rate
+  constexpr double kNearlyAll = 20.0;  // times less of χ² with the other, and only noise left
+  constexpr double kAll = 1000.0;      // or so much less
+  constexpr double kLeastAmplitude = 0.02;  // of the mode's
+  constexpr double kFarthest = 4.0;         // between the two, of the mode's decay rate
   constexpr int kCubic = 4;
   if (band.value.size() < kFewest) return std::nullopt;
   // What outlasts the mode makes the walk slow.
@@ -348,10 +349,11 @@ std::optional<SecondOscillation> beside_jointed_mode(Baseband band) {
       if (found.chi_square < best.chi_square) best = found;
     }
   }
-  const double most = std::min(alone.chi_square / kNearlyAll, kLittle * band.independent());
-  if (!(best.chi_square < most)) return std::nullopt;
+  const double less = alone.chi_square / best.chi_square;
+  if (!(less > (leaves_noise(band, best) ? kNearlyAll : kAll))) return std::nullopt;
   const auto found = oscillation_of(band, best);
-  if (!found || found->ratio > 1.0 || found->decay > found->mode_decay) return std::nullopt;
+  if (!found || found->decay > found->mode_decay) return std::nullopt;
+  if (!(found->ratio > kLeastAmplitude && found->ratio < 1.0)) return std::nullopt;
   const bool near = std::abs(found->omega - found->mode_omega) < kFarthest * found->mode_decay;
   return near && beats(band, best) ? found : std::nullopt;
 }
