@@ -74,9 +74,9 @@ TEST(RigTests, ErrMoreWithMoreNoise) {
   };
   for (const std::size_t sensors : {0U, 1U}) {
     // Without noise what is left is that of 8 levels, most of it at the lowest, and of the fit of
-    // the records.
-    EXPECT_LT(error(sensors, kDissipationError), 0.02);
-    EXPECT_LT(error(sensors, kDensityError), 0.02);
+    // the records. D of so few levels counts as scattering by about 1 %, and is smoothed for it.
+    EXPECT_LT(error(sensors, kDissipationError), 0.04);
+    EXPECT_LT(error(sensors, kDensityError), 0.03);
     // A smoothing of its own makes it less than proportional.
     const double ratio = change(4 + sensors, sensors) / change(2 + sensors, sensors);
     EXPECT_GT(ratio, 8.0);

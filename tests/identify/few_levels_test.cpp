@@ -306,8 +306,8 @@ TEST(FewLevels, LeaveSofterJointsPossible) {
 }
 
 // Coverage of bands of 4 to 12 levels, and how far the choice of λ is from the best of its path. No
-// band knows of peaks that no level shows: 0.71, 0.84 and 0.89 of the density are within those of 5,
-// 8 and 12 levels with given σ, measured with other draws.
+// band knows of peaks that no level shows: 0.71, 0.84 and 0.89 of the density lie within those of
+// 5, 8 and 12 levels with given σ, measured with other draws.
 TEST(FewLevels, AreCoveredAndWellSmoothed) {
   MICROSLIP_STUDY();
   for (const bool given : {true, false}) {

@@ -30,7 +30,7 @@ constexpr double kFew = 12.0;
 constexpr double kEnough = 20.0;
 /// Repeats determine the scatter, and nothing between their amplitudes: so many levels of each
 /// count at most, in the mean.
-constexpr double kMostRepeated = 1.5;
+constexpr double kMostRepeated = 2.0;
 /// The usual scatter of D.
 constexpr double kUsualScatter = 0.01;
 

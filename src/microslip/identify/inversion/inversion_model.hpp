@@ -70,7 +70,7 @@ class InversionModel {
   ///     ν₀ = ν (20 − n)/8, from 0 to ν,   ν = 10 where σ was given, and 4 with σ = 1 % of D
   ///
   /// otherwise, as if by ν₀ further levels that scatter as expected; n levels with their repeats,
-  /// 1.5 for each amplitude at most. Only ν₀ counts in the choice of λ: repeats may differ by what
+  /// two for each amplitude at most. Only ν₀ counts in the choice of λ: repeats may differ by what
   /// all levels of a session share.
   [[nodiscard]] const KnownScatter& known_scatter() const { return known_; }
 

@@ -30,9 +30,9 @@ struct Baseband {
 
 /// The fitted model of the mode, and a second oscillation, damped or steady. δ and ω − ω₀ of the
 /// mode are polynomials of given numbers of coefficients over the share s of the fall of ln A, 0 to
-/// 1; or those of a mode with a joint, of which δ is near a power of A and what ω lacks near another:
-/// ln δ cubic in s, ω − ω₀ = w₀ − w₁A^m − w₂A^2m. These follow few beats of a second oscillation
-/// much less than polynomials do.
+/// 1; or those of a mode with a joint, of which δ is near a power of A and what ω lacks is near
+/// another: ln δ cubic in s, ω − ω₀ = w₀ − w₁A^m − w₂A^2m. These follow few beats of a second
+/// oscillation much less than polynomials do.
 struct OscillationModel {
   int decays = 1;
   int omegas = 1;

@@ -14,6 +14,7 @@ struct ShapeCourse {
   std::vector<double> slope = {};       ///< d ln φ/d ln ω, 1
   std::vector<double> slope_std = {};   ///< its standard deviation, 1
 
+  /// Whether the shape does not change.
   [[nodiscard]] bool empty() const { return log_omega.empty(); }
 
   /// ln φ less that at the highest frequency; 0 of an empty course. @param omega  rad/s.
