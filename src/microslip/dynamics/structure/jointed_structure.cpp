@@ -263,23 +263,23 @@ std::vector<double> JointedStructure::stuck_mode(std::size_t mode) const {
   return {shape.begin(), shape.end()};
 }
 
-SoftenedMode JointedStructure::softened_mode(std::span<const double> shares,
-                                             std::span<const double> near) const {
-  if (shares.size() != joints_.size() || near.size() != linear_.size()) {
-    throw InputError("softened mode",
-                     fmt::format("{} shares, {} entries", shares.size(), near.size()),
-                     "must have one share per joint, and a shape over all modes");
+SoftenedModes JointedStructure::softened_modes(std::span<const double> shares) const {
+  if (shares.size() != joints_.size()) {
+    throw InputError("shares of stiffness", fmt::format("{}", shares.size()),
+                     fmt::format("must be one per joint, {}", joints_.size()));
   }
   const auto stiffness = [&](const StructuralJoint& joint) {
     return with_compliance(joint, shares[static_cast<std::size_t>(&joint - joints_.data())]);
   };
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       stiffness_matrix(linear_, joints_, stiffness));
-  const Eigen::Map<const Eigen::VectorXd> wanted(near.data(), static_cast<Index>(near.size()));
-  Index mode = 0;
-  (solver.eigenvectors().transpose() * wanted).cwiseAbs().maxCoeff(&mode);
-  const Eigen::VectorXd shape = solver.eigenvectors().col(mode);
-  return {std::sqrt(std::max(solver.eigenvalues()(mode), 0.0)), {shape.begin(), shape.end()}};
+  SoftenedModes modes;
+  for (Index i = 0; i < solver.eigenvalues().size(); ++i) {
+    const Eigen::VectorXd shape = solver.eigenvectors().col(i);
+    modes.angular_frequency.push_back(std::sqrt(std::max(solver.eigenvalues()(i), 0.0)));
+    modes.shape.emplace_back(shape.begin(), shape.end());
+  }
+  return modes;
 }
 
 }  // namespace microslip

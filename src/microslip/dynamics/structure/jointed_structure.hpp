@@ -65,10 +65,10 @@ struct StaticLoad {
       0.0;  ///< force at a point, N; acceleration of a base, m/s², −g of a weight along it
 };
 
-/// A vibration of the structure with joints that have lost stiffness.
-struct SoftenedMode {
-  double angular_frequency = 0.0;  ///< rad/s
-  std::vector<double> shape;       ///< over the modes q_i, of length 1 (mass-normalised)
+/// The vibrations of the structure with joints that have lost stiffness, static modes included.
+struct SoftenedModes {
+  std::vector<double> angular_frequency;   ///< rad/s, rising
+  std::vector<std::vector<double>> shape;  ///< of each over the modes q_i, of length 1
 };
 
 /// A linear structure in modal form, its joints and its excitations:
@@ -125,12 +125,9 @@ class JointedStructure {
   /// @param mode  by frequency, from 0. @throws InputError  where there are not so many vibrations.
   [[nodiscard]] std::vector<double> stuck_mode(std::size_t mode) const;
 
-  /// The vibration with a share of each joint's stiffness k, as at amplitudes at which it slips,
-  /// whose shape overlaps most with another: a mode followed while the joints become softer.
-  /// @param shares  of k, 0 to 1; one per joint. @param near  a shape over the modes q_i.
-  /// @throws InputError  for another number of shares or of entries.
-  [[nodiscard]] SoftenedMode softened_mode(std::span<const double> shares,
-                                           std::span<const double> near) const;
+  /// The vibrations with a share of each joint's stiffness k, as at amplitudes at which it slips.
+  /// @param shares  of k, 0 to 1; one per joint. @throws InputError  for another number of them.
+  [[nodiscard]] SoftenedModes softened_modes(std::span<const double> shares) const;
 
  private:
   ModalModel linear_;

@@ -53,30 +53,26 @@ struct FollowedMode {
   ModalDecay result;
 };
 
-double moved_by(const std::vector<double>& shape, std::span<const double> place) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < shape.size(); ++i) sum += place[i] * shape[i];
-  return std::abs(sum);
-}
-
+/// @param courses  of the mode's shape at the sensors, then at the response point.
 SoughtMode sought_mode(const ModelFile& model, const std::vector<PointSensor>& sensors,
-                       std::size_t mode) {
+                       std::size_t mode, const std::vector<ShapeCourse>& courses) {
   const ModalModel& linear = model.structure.linear();
   const std::vector<double> shape = model.structure.stuck_mode(mode);
   struct Seen {
     double moved;
     bool at_response;
     std::string channel;
-    std::string point;
+    ShapeCourse course;
   };
   std::vector<Seen> seen;
   double most = 0.0;
-  for (const PointSensor& sensor : sensors) {
-    const double moved = moved_by(shape, linear.shape(sensor.point));
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const PointSensor& sensor = sensors[i];
+    const double moved = motion_at(shape, linear.shape(sensor.point));
     // A point of another name may be the same place.
     const bool at_response =
         std::ranges::equal(linear.shape(sensor.point), linear.shape(model.response));
-    seen.push_back({moved, at_response, sensor.channel, sensor.point});
+    seen.push_back({moved, at_response, sensor.channel, courses[i]});
     most = std::max(most, moved);
   }
   std::erase_if(seen, [&](const Seen& sensor) { return !(sensor.moved > kLeastMoved * most); });
@@ -89,16 +85,16 @@ SoughtMode sought_mode(const ModelFile& model, const std::vector<PointSensor>& s
   if (seen.empty()) return sought;
   for (const Seen& sensor : seen) {
     sought.channels.push_back(sensor.channel);
-    sought.shapes.push_back(shape_course(model.structure, mode, linear.shape(sensor.point)));
+    sought.shapes.push_back(sensor.course);
   }
-  sought.response_shape = shape_course(model.structure, mode, linear.shape(model.response));
+  sought.response_shape = courses.back();
   sought.response_measured = seen.front().at_response;
   if (!sought.response_measured) {
-    sought.to_response = moved_by(shape, linear.shape(model.response)) / seen.front().moved;
+    sought.to_response = motion_at(shape, linear.shape(model.response)) / seen.front().moved;
   }
   double square = 0.0;
   for (const StructuralJoint& joint : model.structure.joints()) {
-    const double u = moved_by(shape, joint.shape);
+    const double u = motion_at(shape, joint.shape);
     square += joint.stuck_stiffness() * u * u;
   }
   sought.joint_motion = std::sqrt(square) / seen.front().moved;
@@ -274,9 +270,15 @@ ReducedModalDecay reduce_by_model(const ModalDecayReduction& options, const Mode
   for (const PointSensor& sensor : sensors) (void)recording.channel(sensor.channel);
   const std::size_t count = model.structure.linear().vibrations();
   check_modes(options.modes, count);
+  std::vector<std::span<const double>> points;
+  for (const PointSensor& sensor : sensors) {
+    points.push_back(model.structure.linear().shape(sensor.point));
+  }
+  points.push_back(model.structure.linear().shape(model.response));
+  const auto courses = shape_courses(model.structure, points);
   std::vector<SoughtMode> sought;
   for (std::size_t mode = 0; mode < count; ++mode) {
-    sought.push_back(sought_mode(model, sensors, mode));
+    sought.push_back(sought_mode(model, sensors, mode, courses[mode]));
   }
   std::vector<FollowedMode> followed = follow_modes(options, recording, sought);
   ReducedModalDecay reduced{recording.source, {}, file.warnings};
