@@ -10,6 +10,7 @@
 
 #include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/identify/posterior/plain_matrix_view.hpp"
 #include "microslip/identify/smoothing/eigen_view.hpp"
 
 namespace microslip {
@@ -18,14 +19,6 @@ namespace {
 /// An exchange counts where it lowers S by this share: rounding is far below.
 constexpr double kExchangeGain = 1e-7;
 constexpr int kMostSweeps = 20;
-
-using DrawMatrix =
-    Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-
-DrawMatrix draws_of_matrix(const PlainMatrix& m) {
-  return {m.values.data(), static_cast<Eigen::Index>(m.rows()),
-          static_cast<Eigen::Index>(m.columns)};
-}
 
 void check_number(std::string_view what, std::size_t found, std::size_t expected) {
   if (found == expected) return;
@@ -83,13 +76,13 @@ class Knowledge {
         variance_(kinds_ * candidates_) {
     const Eigen::Index draws = static_cast<Eigen::Index>(further.dissipation.rows());
     Eigen::MatrixXd all(draws, target_begin() + weight_.size());
-    all.leftCols(candidates_) = draws_of_matrix(further.dissipation);
+    all.leftCols(candidates_) = matrix_of(further.dissipation);
     variance_.head(candidates_) = view_of(further.dissipation_std).cwiseAbs2();
     if (kinds_ == 2) {
-      all.middleCols(candidates_, candidates_) = draws_of_matrix(further.secant_stiffness);
+      all.middleCols(candidates_, candidates_) = matrix_of(further.secant_stiffness);
       variance_.tail(candidates_) = view_of(further.secant_stiffness_std).cwiseAbs2();
     }
-    all.rightCols(weight_.size()) = draws_of_matrix(target.draws);
+    all.rightCols(weight_.size()) = matrix_of(target.draws);
     all.rowwise() -= all.colwise().mean().eval();
     covariance_ = all.transpose() * all / static_cast<double>(draws - 1);
     if (kinds_ == 2) {

@@ -12,6 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/identify/inversion/inverted_joint.hpp"
 #include "microslip/identify/posterior/density_posterior.hpp"
+#include "microslip/identify/posterior/plain_matrix_view.hpp"
 #include "microslip/identify/smoothing/eigen_view.hpp"
 #include "microslip/identify/smoothing/quadratic_program.hpp"
 #include "microslip/observe/level_rows.hpp"
@@ -31,13 +32,6 @@ constexpr double kNear = 0.1;
 constexpr double kLeastStep = 0.3;
 /// Added to the diagonal, over its mean: rounding.
 constexpr double kRidge = 1e-13;
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Map<const RowMajor> matrix_of(const PlainMatrix& m) {
-  return {m.values.data(), static_cast<Eigen::Index>(m.rows()),
-          static_cast<Eigen::Index>(m.columns)};
-}
 
 /// −ln p = ½xᵀHx − gᵀx of coefficients, and its extremes.
 class PossibleCoefficients {

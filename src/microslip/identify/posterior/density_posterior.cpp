@@ -15,6 +15,7 @@
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/base/work_size.hpp"
+#include "microslip/identify/posterior/plain_matrix_view.hpp"
 #include "microslip/identify/posterior/posterior_chain.hpp"
 #include "microslip/identify/smoothing/eigen_view.hpp"
 
@@ -23,13 +24,6 @@ namespace {
 
 /// Streams of the common errors of single draws come after those of the chains.
 constexpr std::uint64_t kErrorStreams = std::uint64_t{1} << 32U;
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Map<const RowMajor> matrix_of(const PlainMatrix& m) {
-  return {m.values.data(), static_cast<Eigen::Index>(m.rows()),
-          static_cast<Eigen::Index>(m.columns)};
-}
 
 /// Memory of a draw, and of its copy in the result.
 double bytes_of_draw(std::size_t knots) {

@@ -7,18 +7,10 @@
 
 #include "microslip/base/execution.hpp"
 #include "microslip/base/progress.hpp"
+#include "microslip/identify/posterior/plain_matrix.hpp"
 #include "microslip/observe/common_errors.hpp"
 
 namespace microslip {
-
-/// A matrix, stored by rows.
-struct PlainMatrix {
-  std::size_t columns = 0;     ///< numbers in a row
-  std::vector<double> values;  ///< rows × columns
-
-  /// The number of rows.
-  [[nodiscard]] std::size_t rows() const { return columns == 0 ? 0 : values.size() / columns; }
-};
 
 /// Likelihood of coefficients x by rows of one kind, which share a scatter s:
 ///
