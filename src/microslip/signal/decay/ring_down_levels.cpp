@@ -74,11 +74,7 @@ std::vector<ChosenWindow> chosen_windows(const RingDown& decay) {
       return std::abs(decay.time[level.index] - decay.time[i]);
     });
     std::istringstream codes(decay.flags[i]);
-    for (std::string code; codes >> code;) {
-      if ((" " + nearest.flags + " ").find(" " + code + " ") == std::string::npos) {
-        add_flag(nearest.flags, code);
-      }
-    }
+    for (std::string code; codes >> code;) add_flag(nearest.flags, code);
   }
   return chosen;
 }

@@ -238,11 +238,12 @@ void flag_clipped(const DecayTrack& sensor, const DecayTrack& track,
   const double until = sensor.offset + sensor.walk.windows[count - 1].centre;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     const bool later = track.offset + track.walk.windows[i].centre > until;
-    if (!later && flags[i].find("clipped") == std::string::npos) add_flag(flags[i], "clipped");
+    if (!later) add_flag(flags[i], "clipped");
   }
 }
 
 void add_flag(std::string& flags, std::string_view code) {
+  if (fmt::format(" {} ", flags).find(fmt::format(" {} ", code)) != std::string::npos) return;
   if (!flags.empty()) flags += ' ';
   flags += code;
 }

@@ -345,10 +345,7 @@ class Combination {
              moved.name)});
   }
 
-  void flag(std::size_t window, std::string_view code) {
-    std::string& flags = result_.flags[window];
-    if (flags.find(code) == std::string::npos) add_flag(flags, code);
-  }
+  void flag(std::size_t window, std::string_view code) { add_flag(result_.flags[window], code); }
 
   const std::vector<SensorTrack>& tracks_;
   CombinedDecay result_;
