@@ -71,24 +71,6 @@ SymmetricEntries read_triangle(const std::string& job, std::string_view ending, 
   }
 }
 
-std::vector<DegreeOfFreedom> parse_degree_lines(std::string_view text, std::string_view file) {
-  std::vector<DegreeOfFreedom> degrees;
-  NumberLines lines(text, file);
-  while (lines.next()) {
-    const std::string_view line = trimmed(lines.line());
-    if (line.starts_with('#')) continue;
-    const bool carriage_return = line.ends_with('\r');
-    const std::optional<DegreeOfFreedom> degree =
-        degree_of(trimmed(carriage_return ? line.substr(0, line.size() - 1) : line));
-    if (!degree) {
-      throw FormatError(lines.place(), "a node and its direction, 12.3 or 12 z", in_quotes(line));
-    }
-    degrees.push_back(*degree);
-  }
-  if (!degrees.empty()) return degrees;
-  throw FormatError({std::string(file), 0, 0}, "one line per row of the matrices", "none");
-}
-
 bool have_repeated(std::vector<DegreeOfFreedom> degrees) {
   std::ranges::sort(degrees);
   return std::ranges::adjacent_find(degrees) != degrees.end();
@@ -116,7 +98,21 @@ SymmetricEntries parse_triangle(std::string_view text, std::string_view file, st
 }
 
 std::vector<DegreeOfFreedom> parse_degrees(std::string_view text, std::string_view file) {
-  return parse_degree_lines(text, file);
+  std::vector<DegreeOfFreedom> degrees;
+  NumberLines lines(text, file);
+  while (lines.next()) {
+    const std::string_view line = trimmed(lines.line());
+    if (line.starts_with('#')) continue;
+    const bool carriage_return = line.ends_with('\r');
+    const std::optional<DegreeOfFreedom> degree =
+        degree_of(trimmed(carriage_return ? line.substr(0, line.size() - 1) : line));
+    if (!degree) {
+      throw FormatError(lines.place(), "a node and its direction, 12.3 or 12 z", in_quotes(line));
+    }
+    degrees.push_back(*degree);
+  }
+  if (!degrees.empty()) return degrees;
+  throw FormatError({std::string(file), 0, 0}, "one line per row of the matrices", "none");
 }
 
 std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {
@@ -126,7 +122,7 @@ std::vector<DegreeOfFreedom> read_degrees(const std::string& path) {
 StructuralMatrices read_calculix_matrices(const std::string& job) {
   for (const char* ending : {".dof", ".sti", ".mas"}) check_named_file(job + ending);
   StructuralMatrices matrices;
-  matrices.degrees = parse_degree_lines(read_text(job + ".dof"), job + ".dof");
+  matrices.degrees = parse_degrees(read_text(job + ".dof"), job + ".dof");
   matrices.expanded = have_repeated(matrices.degrees);
   const std::size_t size = matrices.degrees.size();
   matrices.stiffness = read_triangle(job, ".sti", size);
