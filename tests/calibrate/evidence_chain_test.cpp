@@ -44,8 +44,10 @@ LinearEvidence rough_and_smooth() {
     losses.design(r, at) = 1.0 / kNoise;
     losses.data(r) = truth / kNoise + random.normal();
   }
-  evidence.of(RowKind::kFrequency).design.resize(0, size);
-  evidence.of(RowKind::kFrequency).data.resize(0);
+  for (const RowKind none : {RowKind::kFrequency, RowKind::kAmplitude}) {
+    evidence.of(none).design.resize(0, size);
+    evidence.of(none).data.resize(0);
+  }
   WeightedRows& stiffness = evidence.of(RowKind::kStiffness);
   stiffness.design = Eigen::MatrixXd::Zero(2, size);
   stiffness.design(0, kCount) = stiffness.design(1, 2 * kCount + 1) = 1.0 / kKnownStiffness;
@@ -63,7 +65,7 @@ double spread_between(const LinearEvidence& evidence, const std::vector<double>&
   double sum = 0.0;
   double square = 0.0;
   double count = 0.0;
-  draw_evidence(equations, settled, {1.0, 1.0, 1.0}, {2000, 3}, [&](const Eigen::VectorXd& x) {
+  draw_evidence(equations, settled, {1.0, 1.0, 1.0, 1.0}, {2000, 3}, [&](const Eigen::VectorXd& x) {
     const double value = x(kCount + 1 + 7);
     sum += value;
     square += value * value;
@@ -95,7 +97,7 @@ TEST(EvidenceChain, DrawsReachAJointThatDoesNotSlip) {
   EvidenceWeights weights;
   weights.lambda = {1e-2, 1e-2};
   double next_to_nothing = 0.0;
-  draw_evidence(equations, settle_with(equations, weights), {1.0, 1.0, 1.0}, {400, 3},
+  draw_evidence(equations, settle_with(equations, weights), {1.0, 1.0, 1.0, 1.0}, {400, 3},
                 [&](const Eigen::VectorXd& x) {
                   next_to_nothing += x.head(2).sum() < 0.01 * kNoise ? 1.0 : 0.0;
                 });

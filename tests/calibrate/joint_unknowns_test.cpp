@@ -110,6 +110,21 @@ TEST(JointUnknowns, KnotsTellDensitiesWithEdgesElsewhere) {
 }
 
 // A density of other knots is interpolated at the new ones; its stiffness is kept.
+// On a wider range the density goes on as it ends, which may be more than k: the joint keeps that,
+// to rounding.
+TEST(JointUnknowns, ProjectionKeepsTheStiffness) {
+  const JointUnknowns narrow(7e5, 2e-4, 0.01, 0.0, 30);
+  Eigen::VectorXd x = some_coefficients(narrow);
+  x(x.size() - 1) = 0.0;
+  x *= 1.0 / narrow.stiffness_row().dot(x);
+  for (const double wider : {1.0, 1.3, 1.9}) {
+    const JointUnknowns wide(7e5, wider * 2e-4, 0.01, 0.0, 30);
+    const Eigen::VectorXd y = wide.projected(narrow, x);
+    EXPECT_NEAR(wide.stiffness_row().dot(y), 1.0, 1e-12) << wider;
+    EXPECT_GE(y.minCoeff(), 0.0) << wider;
+  }
+}
+
 TEST(JointUnknowns, ProjectionFollowsTheDensity) {
   const JointUnknowns old(7e5, 2e-4, 0.01, 0.0, 60);
   const JointUnknowns now(7e5, 1.5e-4, 0.02, -0.5, 60);

@@ -157,6 +157,54 @@ void expect_share_of_displacement(const ModalLevels& levels) {
   }
 }
 
+/// Information of all rows of a kind or of several.
+Eigen::MatrixXd information(const LinearEvidence& linear) {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(linear.size(), linear.size());
+  for (const RowKind kind : kMeasuredKinds) {
+    sum += linear.of(kind).design.transpose() * linear.of(kind).design;
+  }
+  return sum;
+}
+
+// Loss and frequency of a level have the error of its displacement in common: with c its effects,
+// by resonances beside, their covariance is diag σ² + ccᵀ. To the 1 % of the derivatives.
+TEST(Linearisation, TheErrorOfADisplacementCountsOnceForAllRowsOfALevel) {
+  constexpr double kError = 1e-3;
+  ModalLevels levels = some_levels(0.0);
+  ModalLevels more = levels;
+  ModalLevels less = levels;
+  ModalLevels given = levels;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    more.displacement[i] *= 1.0 + kError;
+    less.displacement[i] *= 1.0 - kError;
+    // Effects of some deviations of loss and frequency.
+    given.displacement_std[i] = 20.0 * kError * levels.displacement[i];
+  }
+  const Solved above(more);
+  const Solved below(less);
+  const Solved with(given);
+  const Solved without(levels);
+  ASSERT_TRUE(above.whole() && below.whole() && with.whole() && without.whole());
+  const LinearEvidence plain = without.linear();
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(plain.size(), plain.size());
+  double off_diagonal = 0.0;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    Eigen::MatrixXd rows(2, plain.size());  // over their own deviations
+    rows << plain.of(RowKind::kLoss).design.row(at), plain.of(RowKind::kFrequency).design.row(at);
+    const LevelDeviations own = without.deviations(i);
+    const Eigen::Vector2d effects(
+        20.0 * 0.5 * (above.loss_error(i) - below.loss_error(i)) / own.loss,
+        20.0 * 0.5 * (above.frequency_ratio(i) - below.frequency_ratio(i)) / own.frequency);
+    off_diagonal = std::max(off_diagonal, std::abs(effects.prod()));
+    const Eigen::RowVectorXd shared = effects.transpose() * rows;  // Sherman and Morrison
+    expected +=
+        rows.transpose() * rows - shared.transpose() * shared / (1.0 + effects.squaredNorm());
+  }
+  EXPECT_GT(off_diagonal, 1.0);
+  EXPECT_LT((information(with.linear()) - expected).norm(), 0.02 * expected.norm());
+}
+
 // Against resonances at other displacements. The derivatives assume that higher harmonics follow,
 // which leaves 1 %.
 TEST(Linearisation, ErrorsOfTheDisplacementAreThoseOfResonancesBeside) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,42 @@ void expect_draws_of_both(const std::string& path) {
   ASSERT_EQ(model.joint_samples.size(), 2U);
   for (const std::string& samples : model.joint_samples) {
     EXPECT_TRUE(std::filesystem::exists(samples)) << samples;
+  }
+}
+
+/// The model with its frequencies times a factor.
+std::string with_frequencies_times(const std::string& model, double factor) {
+  const std::string key = "frequency_Hz = [";
+  const std::size_t begin = model.find(key) + key.size();
+  const std::size_t end = model.find(']', begin);
+  std::string scaled;
+  std::istringstream values(model.substr(begin, end - begin));
+  for (std::string value; std::getline(values, value, ',');) {
+    scaled += fmt::format("{}{:.12g}", scaled.empty() ? "" : ", ", factor * std::stod(value));
+  }
+  return model.substr(0, begin) + scaled + model.substr(end);
+}
+
+// The levels are those of a structure whose frequencies the model has 0.75 % too high: they are
+// corrected to 0.05 %, or 0.75 % are its standard deviation.
+TEST(calibrate, CorrectsTheFrequenciesOfTheModel) {
+  const Sandbox box = two_joints();
+  const ModelFile truth = read_model(box.file("model.toml"), JointsToFind::kAllowed);
+  box.put("model.toml", with_frequencies_times(box.get("model.toml"), 1.0075));
+  const Outcome given = expect_done(box, kCall);
+  EXPECT_NE(given.out.find("--model-frequencies corrected"), std::string::npos) << given.out;
+  const Outcome run = expect_done(box, {"calibrate", "model.toml", "levels.csv", "--samples", "100",
+                                        "--out", "corrected", "--model-frequencies", "corrected"});
+  EXPECT_NE(run.out.find("corrected in model.toml"), std::string::npos) << run.out;
+  const ModelFile as_given = read_model(box.file("found/model.toml"));
+  const ModelFile corrected = read_model(box.file("corrected/model.toml"));
+  for (std::size_t i = 0; i < truth.structure.linear().size(); ++i) {
+    const double omega = truth.structure.linear().modes()[i].angular_frequency;
+    EXPECT_NEAR(as_given.structure.linear().modes()[i].angular_frequency, 1.0075 * omega,
+                1e-9 * omega);
+    EXPECT_NEAR(as_given.spread.frequency[i], 0.0075, 0.0005);
+    EXPECT_NEAR(corrected.structure.linear().modes()[i].angular_frequency, omega, 5e-4 * omega);
+    EXPECT_LT(corrected.spread.frequency[i], 5e-4);
   }
 }
 

@@ -26,6 +26,7 @@ struct CalibrateArguments {
   ModelCalibration calibration;
   std::string frequency = "change";
   std::string stiffness = "given";
+  std::string model_frequencies = "given";
   std::string shapes = "found";
   std::string edges = "sought";
   std::string forcing = "excitation";
@@ -69,6 +70,9 @@ int run(const CalibrateArguments& arguments, const Call& call) {
   ModelCalibration calibration = arguments.calibration;
   calibration.options = library_options(arguments, call.quiet);
   calibration.options.check();
+  if (arguments.model_frequencies == "corrected") {
+    calibration.model_frequencies = ModelFrequencies::kCorrected;
+  }
   calibration.command = call.command_line;
   const std::vector<ResultFile> planned = planned_files(calibration);
   OutputFolders folders;
@@ -95,6 +99,13 @@ void add_method_options(CLI::App& command, CalibrateArguments& arguments) {
                   "Stiffness of the joints to be identified. given: stiffness_N_per_m of the "
                   "model; fit: identified too, needs --frequency absolute")
       ->check(CLI::IsMember({"given", "fit"}))
+      ->capture_default_str();
+  command
+      .add_option("--model-frequencies", arguments.model_frequencies,
+                  "Frequencies of the modes in model.toml. given: as in the model, with the "
+                  "offsets that the levels show as frequency_std; corrected: with these offsets, "
+                  "and what is left as frequency_std")
+      ->check(CLI::IsMember({"given", "corrected"}))
       ->capture_default_str();
   command
       .add_option(

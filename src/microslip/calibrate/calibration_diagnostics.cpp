@@ -5,6 +5,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,8 +36,10 @@ constexpr double kMedianOfNormal = 0.6745;
 constexpr double kByChance = 1e-3;
 /// Scatter of frequencies, relative: the softening of joints is known better than that.
 constexpr double kLargeFrequencyScatter = 5e-4;
-/// A sensor and the structure may differ by this share of the amplitude.
+/// A sensor and the structure may differ by this share of the amplitude, or, where the sensor has
+/// standard deviations, by so many of these, rms.
 constexpr double kSensorShare = 0.1;
+constexpr double kSensorRatio = 3.0;
 
 /// Names of the levels.
 class LevelNames {
@@ -228,12 +231,38 @@ void warn_of_std(const CalibrationResult& result, const ModalLevels& levels,
   }
   if (!result.frequency_std_given && some_positive(levels.frequency_std)) warn("the frequencies");
   if (result.loss_std_given) return;
-  const bool amplitude_std = std::ranges::any_of(
-      levels.joints, [](const JointLevels& joint) { return some_positive(joint.amplitude_std); });
-  if (!amplitude_std && !some_positive(levels.displacement_std)) return;
+  if (!some_positive(levels.displacement_std)) return;
   warnings.push_back({"std_ignored",
                       "standard deviations of displacements are not used for the losses: they are "
                       "used only with those of the losses, which not every level has above 0."});
+}
+
+/// How a sensor deviates from its joint.
+struct SensorErrors {
+  double worst = 0.0;     ///< largest, relative
+  std::size_t where = 0;  ///< its level
+  double rms = 0.0;       ///< over the standard deviations; NaN where a level has none
+};
+
+SensorErrors errors_of(const CalibrationResult& result, const JointLevels& sensor,
+                       const CalibratedJoint& joint) {
+  SensorErrors errors;
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    const JointAtLevel& at = result.levels[i].joints[joint.index];
+    if (!result.levels[i].found || std::isnan(at.measured_amplitude)) continue;
+    const double error = at.measured_amplitude / at.amplitude - 1.0;
+    const double deviation = ModalLevels::value(sensor.amplitude_std, i);
+    squares += deviation > 0.0 ? std::pow(error * at.amplitude / deviation, 2)
+                               : std::numeric_limits<double>::quiet_NaN();
+    count += 1.0;
+    if (!(std::abs(error) > std::abs(errors.worst))) continue;
+    errors.worst = error;
+    errors.where = i;
+  }
+  errors.rms = std::sqrt(squares / count);
+  return errors;
 }
 
 void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
@@ -241,23 +270,18 @@ void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
   for (const CalibratedJoint& joint : result.joints) {
     const auto measured = std::ranges::find(levels.joints, joint.name, &JointLevels::name);
     if (measured == levels.joints.end()) continue;
-    double worst = 0.0;
-    std::size_t where = 0;
-    for (std::size_t i = 0; i < result.levels.size(); ++i) {
-      if (!result.levels[i].found) continue;
-      const JointAtLevel& at = result.levels[i].joints[joint.index];
-      const double error = at.measured_amplitude / at.amplitude - 1.0;
-      if (!(std::abs(error) > std::abs(worst))) continue;
-      worst = error;
-      where = i;
-    }
-    if (std::abs(worst) < kSensorShare) continue;
+    const auto [worst, where, rms] = errors_of(result, *measured, joint);
+    const bool contradicts = std::isnan(rms) ? std::abs(worst) >= kSensorShare : rms > kSensorRatio;
+    if (!contradicts) continue;
     warnings.push_back(
         {"sensor_contradicts",
-         fmt::format("the sensor of {} shows {:.0f} % {} than the structure with the identified "
-                     "joints, at {}: check its gain and the shape of the joint.",
+         fmt::format("the sensor of {} shows {:.2g} % {} than the structure with the identified "
+                     "joints, at {}: check its gain and the shape of the joint.{}",
                      joint.name, 100.0 * std::abs(worst), worst > 0.0 ? "more" : "less",
-                     names.of(where))});
+                     names.of(where),
+                     std::isnan(rms) ? ""
+                                     : " Without its standard deviations its displacements are "
+                                       "taken in place of those of the structure.")});
   }
 }
 

@@ -38,6 +38,9 @@ struct CalibrationOptions {
   bool stuck_shapes = false;
   /// Seeks slip forces at which a density jumps; 20 levels for each joint are needed.
   bool edges = true;
+  /// Corrects the modes by their measured offsets while joints are found, with
+  /// FrequencyUse::kChange.
+  bool correct_modes = true;
   HarmonicBalanceOptions balance = {};  ///< harmonics and excitation
   int coefficients = 40;                ///< of the density of each joint; ≥ 10
   std::size_t draws = 1000;             ///< of the posterior; ≥ 100

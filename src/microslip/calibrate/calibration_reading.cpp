@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/median.hpp"
+#include "microslip/base/random.hpp"
 #include "microslip/calibrate/calibration_draws.hpp"
+#include "microslip/calibrate/mode_offsets.hpp"
 #include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/joint/dissipation.hpp"
 
@@ -21,6 +25,9 @@ namespace {
 /// than the loss of either, which is known to this share of it at best.
 constexpr double kTogetherRatio = 5.0;
 constexpr double kKnownAlone = 0.05;
+/// Random stream of the errors of the displacement of the first level, far above those of the
+/// chains; the others follow below it.
+constexpr std::uint64_t kDisplacementStream = std::numeric_limits<std::uint64_t>::max();
 
 Estimate band_of(std::vector<double> values, double confidence) {
   const double mean =
@@ -191,11 +198,31 @@ std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evid
   return losses;
 }
 
+/// The losses at the true displacement of the response point, of which the measured one has an
+/// error: the same one for all joints in each draw.
+/// @param share   change of the loss of each joint of the structure by one standard deviation of
+///                that, J.
+/// @param losses  [joint][draw], J.
+std::vector<std::vector<double>> at_true_displacement(const AllUnknowns& unknowns,
+                                                      const std::vector<double>& share,
+                                                      RandomStream& random,
+                                                      std::vector<std::vector<double>> losses) {
+  if (std::ranges::all_of(share, [](double each) { return each == 0.0; })) return losses;
+  for (std::size_t i = 0; i < losses.front().size(); ++i) {
+    const double error = random.normal();
+    for (std::size_t j = 0; j < losses.size(); ++j) {
+      losses[j][i] = std::max(0.0, losses[j][i] + share[unknowns.index(j)] * error);
+    }
+  }
+  return losses;
+}
+
 void read_vibration(const CalibrationEvidence& evidence, const LevelStates& states,
                     std::size_t level, CalibratedLevel& fitted) {
   const SteadyVibration& vibration = *states.at(level);
   fitted.found = true;
-  fitted.frequency = vibration.frequency();
+  fitted.frequency =
+      vibration.frequency() * std::exp(-states.offset_taken(evidence.levels.mode[level]));
   fitted.damping_ratio = vibration.damping_ratio();
   fitted.dissipation = 0.0;
   for (std::size_t j = 0; j < fitted.joints.size(); ++j) {
@@ -356,6 +383,22 @@ void read_offsets_of_levels(const ModalLevels& levels, const std::vector<double>
   }
 }
 
+/// ω of a level as measured over that of the structure as it was given, minus 1; NaN without.
+double error_of_given(const ModalLevels& levels, std::size_t level, const LevelStates& states) {
+  const double error = frequency_error(levels, level, *states.at(level));
+  return (1.0 + error) * std::exp(states.offset_taken(levels.mode[level])) - 1.0;
+}
+
+/// The modes that explain the offsets; nothing where no structure has them.
+void read_found_modes(const CalibrationEvidence& evidence, const LevelStates& states,
+                      CalibrationResult& result) {
+  if (evidence.frequency != FrequencyUse::kChange) return;
+  try {
+    result.modes = found_modes(states.given(), level_offsets(evidence.levels, states));
+  } catch (const InputError&) {
+  }
+}
+
 /// Mean over the levels of each mode of their frequency offsets.
 void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
                   CalibrationResult& result) {
@@ -365,7 +408,7 @@ void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states
   std::vector<double> errors(evidence.levels.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < evidence.levels.size(); ++i) {
     if (!states.at(i)) continue;
-    errors[i] = frequency_error(evidence.levels, i, *states.at(i));
+    errors[i] = error_of_given(evidence.levels, i, states);
     if (std::isnan(errors[i])) continue;
     sum[evidence.levels.mode[i]] += errors[i];
     count[evidence.levels.mode[i]] += 1.0;
@@ -475,8 +518,7 @@ void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unk
     if (!result.levels[i].found) continue;
     result.levels[i].loss_noise = loss_noise(evidence, i, *states.at(i), result);
     const LevelDeviations deviations = deviations_about(evidence, unknowns, states, i);
-    read_residuals(evidence, i, frequency_error(evidence.levels, i, *states.at(i)), deviations,
-                   result);
+    read_residuals(evidence, i, error_of_given(evidence.levels, i, states), deviations, result);
     std::vector<std::pair<std::size_t, double>> sought;
     for (std::size_t j = 0; j < unknowns.count(); ++j) {
       const std::size_t joint = unknowns.index(j);
@@ -513,6 +555,9 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   result.frequency_scatter = state.evidence.of(RowKind::kFrequency).has_freedom()
                                  ? state.settled.weights.of(RowKind::kFrequency)
                                  : 0.0;
+  result.sensor_scatter = state.evidence.of(RowKind::kAmplitude).has_freedom()
+                              ? state.settled.weights.of(RowKind::kAmplitude)
+                              : 0.0;
   result.edges_sought = range.edges_sought();
   result.edf = state.settled.edf;
   read_joints(evidence, options, state, draws, joints, states, result);
@@ -521,13 +566,20 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   std::vector<std::vector<std::vector<double>>> losses;
   for (const std::size_t level : all) {
     losses.push_back(losses_of_draws(evidence, draws, states, level));
-    result.levels.push_back(
-        read_level(evidence, draws.unknowns, losses.back(), options, states, level));
+    std::vector<std::vector<double>> banded = losses.back();
+    if (states.at(level)) {
+      RandomStream random(options.seed, kDisplacementStream - level);
+      const LevelDeviations deviations = deviations_about(evidence, draws.unknowns, states, level);
+      banded = at_true_displacement(draws.unknowns, deviations.by_displacement, random,
+                                    std::move(banded));
+    }
+    result.levels.push_back(read_level(evidence, draws.unknowns, banded, options, states, level));
   }
   read_pairs(losses, result);
   read_loss_told(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
+  read_found_modes(evidence, states, result);
   read_deviations(evidence, draws.unknowns, states, losses, result);
 }
 

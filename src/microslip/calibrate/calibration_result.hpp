@@ -85,6 +85,19 @@ struct JointPair {
   bool known_only_together = false;
 };
 
+/// Resolution of a resonance, relative: a smaller offset is none.
+inline constexpr double kFrequencyResolution = 1e-4;
+
+/// Frequencies of the modes of a structure without its joints against those that were given, one
+/// entry each; empty where nothing is known of them.
+struct FoundModes {
+  std::vector<double> offset = {};     ///< of ln ω_i, 1
+  std::vector<double> deviation = {};  ///< standard deviation of it, 1
+
+  /// Whether any offset is above kFrequencyResolution.
+  [[nodiscard]] bool any() const;
+};
+
 /// Result of calibrate().
 struct CalibrationResult {
   std::vector<CalibratedJoint> joints = {};  ///< those that were sought, in the structure's order
@@ -95,9 +108,15 @@ struct CalibrationResult {
   std::vector<std::size_t> known_in_sum = {};
   /// Mean frequency offset of each mode, relative; NaN for modes without frequencies.
   std::vector<double> frequency_offset = {};
+  /// The offsets of the modes without joints that explain these; where frequencies count by their
+  /// change. Where they are above kFrequencyResolution the joints are those of the structure with
+  /// them.
+  FoundModes modes = {};
   double loss_scatter = 0.0;  ///< of the losses: over σ where given, else relative
   /// Scatter of the frequencies: over σ where given, else relative; 0 without.
   double frequency_scatter = 0.0;
+  /// Scatter of displacements of joints by sensors over their σ; 0 where none has one.
+  double sensor_scatter = 0.0;
   bool loss_std_given = false;         ///< whether σ of all losses was known
   bool frequency_std_given = false;    ///< whether σ of all frequencies was known
   bool edges_sought = false;           ///< whether edges were requested and the levels sufficient

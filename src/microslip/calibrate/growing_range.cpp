@@ -13,6 +13,8 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/calibrate/joint_edges.hpp"
+#include "microslip/calibrate/mode_offsets.hpp"
+#include "microslip/calibrate/step_share.hpp"
 
 namespace microslip {
 namespace {
@@ -36,6 +38,10 @@ constexpr int kMostPasses = 30;
 constexpr int kPassesOfWeights = 8;
 /// Largest relative change of an amplitude that counts as none: far below its uncertainty.
 constexpr double kSmallestChange = 1e-5;
+/// A change of what a level shows over its standard deviation that is none in the result.
+constexpr double kNegligible = 0.1;
+/// Share of the steps with kept weights, at first.
+constexpr double kShareOfSteps = 0.5;
 /// The same before exponents are compared: a tenth of its uncertainty.
 constexpr double kSteady = 1e-3;
 /// χ₀ that are tried beside 0, and the required gain of their −2 ln likelihood, as for
@@ -69,6 +75,15 @@ Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
   return found;
 }
 
+/// Whether joints have the same exponents and edges.
+bool same_laws(const AllUnknowns& one, const AllUnknowns& other) {
+  for (std::size_t j = 0; j < one.count(); ++j) {
+    if (one.of(j).exponent() != other.of(j).exponent()) return false;
+    if (one.of(j).edges() != other.of(j).edges()) return false;
+  }
+  return true;
+}
+
 /// Edges whose ranges are not examined yet. @param places  x*, m; rising.
 FoundEdges edges_at(std::vector<double> places) {
   FoundEdges edges;
@@ -89,31 +104,35 @@ std::vector<bool> emptied(const FoundEdges& edges, std::size_t chain) {
   return all ? edges.empty : empty;
 }
 
-/// The criterion that settle() minimises, over the number of levels, which may have grown.
-double objective(const LinearEvidence& evidence, const EvidenceWeights& weights,
-                 const Eigen::VectorXd& x) {
+double rows_of(const LinearEvidence& evidence) {
+  double rows = 0.0;
+  for (const RowKind kind : kRowKinds) rows += static_cast<double>(evidence.of(kind).data.size());
+  return std::max(rows, 1.0);
+}
+
+/// The misfit of the criterion that settle() minimises, over the number of levels, which may have
+/// grown.
+double misfit(const LinearEvidence& evidence, const EvidenceWeights& weights,
+              const Eigen::VectorXd& x) {
   const NormalEquations equations(evidence);
   double sum = 0.0;
-  double rows = 0.0;
   for (const RowKind kind : kRowKinds) {
     const double scatter = weights.of(kind);
     sum += equations.residual(kind, x) / (scatter * scatter);
-    rows += static_cast<double>(evidence.of(kind).data.size());
   }
+  return sum / rows_of(evidence);
+}
+
+/// The roughness of that criterion. λ is of one basis: with that of another range the same
+/// densities have another roughness.
+double roughness(const LinearEvidence& evidence, const EvidenceWeights& weights,
+                 const Eigen::VectorXd& x) {
+  const NormalEquations equations(evidence);
+  double sum = 0.0;
   for (std::size_t j = 0; j < weights.lambda.size(); ++j) {
     sum += weights.lambda[j] * equations.roughness(j, x);
   }
-  return sum / std::max(rows, 1.0);
-}
-
-/// Largest relative change of frequencies and displacements; 1 of those that were not found.
-double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
-  double change = 0.0;
-  for (std::size_t k = 0; k < before.size(); ++k) {
-    if (before[k] == after[k]) continue;
-    change = std::max(change, before[k] > 0.0 ? std::abs(after[k] / before[k] - 1.0) : 1.0);
-  }
-  return change;
+  return sum / rows_of(evidence);
 }
 
 }  // namespace
@@ -127,7 +146,7 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
       // Given deviations are not reduced: few levels leave no residual, and an error common to
       // neighbouring ones does not show in it.
       least_{evidence_.loss_std_given ? 1.0 : kLeastLossScatter,
-             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0},
+             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0, 1.0},
       all_(evidence_.levels.size()),
       exponents_(sought.size(), 0.0),
       edges_(sought.size()) {
@@ -144,18 +163,25 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
 ScatterBounds GrowingRange::bounds() const {
   ScatterBounds bounds{.least = least_};
   if (!deviations_believed_) return bounds;
-  if (evidence_.loss_std_given) bounds.most[0] = bounds.least[0];
-  if (evidence_.frequency_std_given) bounds.most[1] = bounds.least[1];
+  const auto believe = [&](RowKind kind) {
+    bounds.most[static_cast<std::size_t>(kind)] = bounds.least[static_cast<std::size_t>(kind)];
+  };
+  if (evidence_.loss_std_given) believe(RowKind::kLoss);
+  if (evidence_.frequency_std_given) believe(RowKind::kFrequency);
+  believe(RowKind::kAmplitude);
   return bounds;
 }
 
 /// Least and largest amplitude of a joint. A level that was not found counts where it is not far
-/// beyond the others: it may be found later.
+/// beyond the others, as it may be found later, or where none of the others moves the joint.
 std::pair<double, double> GrowingRange::reach(std::size_t joint) const {
+  const bool moves = std::ranges::any_of(all_, [&](std::size_t level) {
+    return !states_.missed(level) && used_amplitude(evidence_, states_, level, joint) > 0.0;
+  });
   double least = std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (const std::size_t level : all_) {
-    if (states_.missed(level)) continue;
+    if (moves && states_.missed(level)) continue;
     const double a = used_amplitude(evidence_, states_, level, joint);
     least = std::min(least, a);
     largest = std::max(largest, a);
@@ -210,8 +236,7 @@ CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which
   states_.solve(which);
   LinearisedLevels linear = linearise(evidence_, unknowns, states_, which, x);
   LinearEvidence evidence = in_terms_of(evidence_, unknowns, linear);
-  const auto found = static_cast<std::size_t>(std::ranges::count_if(
-      which, [&](std::size_t level) { return states_.at(level).has_value(); }));
+  const std::size_t found = found_of(which);
   return {std::move(unknowns), which, found, std::move(x), std::move(linear),
           std::move(evidence), {}};
 }
@@ -223,17 +248,33 @@ CalibratedState GrowingRange::step(const std::vector<std::size_t>& which,
                                    const std::vector<double>& exponents) {
   const AllUnknowns now = unknowns(found_with(exponents));
   const Eigen::VectorXd from = projected(now, before.unknowns, before.about);
-  Eigen::VectorXd to = projected(now, before.unknowns, before.settled.x);
-  if (keep_weights_) to = 0.5 * (to + from);  // where full steps oscillate
-  const double misfit = objective(before.evidence, before.settled.weights, before.about);
-  CalibratedState next = linear_about(which, now, to);
-  for (int i = 0; i < kMostHalvings && which == before.levels; ++i) {
-    const bool lost = next.found < before.found;
-    if (!lost && objective(next.evidence, before.settled.weights, to) <= misfit) break;
-    to = 0.5 * (to + from);
-    next = linear_about(which, now, to);
+  const Eigen::VectorXd full = projected(now, before.unknowns, before.settled.x) - from;
+  double share = keep_weights_ ? share_ : 1.0;  // where full steps oscillate
+  const EvidenceWeights& weights = before.settled.weights;
+  const auto prior = [&](double part) {
+    const Eigen::VectorXd x = before.about + part * (before.settled.x - before.about);
+    return roughness(before.evidence, weights, x);
+  };
+  const double present = misfit(before.evidence, weights, before.about) + prior(0.0);
+  const LevelStates::Vibrations start = states_.vibrations();
+  // Another law makes other joints of the same coefficients: no part of a step leads back.
+  const bool comparable = which == before.levels && same_laws(now, before.unknowns);
+  const auto worse = [&](const CalibratedState& next) {
+    if (found_of(before.levels) < before.found) return true;
+    return comparable && misfit(next.evidence, weights, next.about) + prior(share) > present;
+  };
+  CalibratedState next = linear_about(which, now, from + share * full);
+  for (int i = 0; i < kMostHalvings && worse(next); ++i) {
+    share *= 0.5;
+    states_.set_vibrations(start);  // a step too far may lead to other vibrations
+    next = linear_about(which, now, from + share * full);
   }
   return next;
+}
+
+std::size_t GrowingRange::found_of(const std::vector<std::size_t>& levels) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      levels, [&](std::size_t level) { return states_.at(level).has_value(); }));
 }
 
 CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
@@ -302,7 +343,7 @@ CalibratedState GrowingRange::grow() {
 CalibratedState GrowingRange::steadied(CalibratedState state) {
   keep_weights_ = false;
   for (int i = 0; i < kPassesOfWeights; ++i) {
-    const std::vector<double> before = vibrations();
+    const std::vector<LevelVibration> before = vibrations();
     state = pass(all_, &state, exponents_);
     if (largest_change(before, vibrations()) < kSteady) break;
   }
@@ -347,30 +388,44 @@ CalibratedState GrowingRange::choose_exponents(const CalibratedState& start) {
   return best;
 }
 
-/// Frequency and displacements of the joints of each level; 0 where it was not found.
-std::vector<double> GrowingRange::vibrations() const {
-  std::vector<double> all;
-  for (const std::size_t level : all_) {
-    const bool found = states_.at(level).has_value();
-    all.push_back(found ? states_.at(level)->angular_frequency : 0.0);
-    for (const std::size_t joint : sought_) {
-      all.push_back(found ? states_.amplitude(level, joint) : 0.0);
-    }
-  }
-  return all;
+std::vector<LevelVibration> GrowingRange::vibrations() const {
+  return vibrations_of(states_, evidence_.levels.size(), sought_);
+}
+
+/// The verdict on passes that have not converged: they have where what they still change is far
+/// below what the levels are known to.
+/// @param change  relative, by a whole step. @param over_deviations  the same of what rows show.
+void GrowingRange::judge_limit(const CalibratedState& state, double change,
+                               double over_deviations) {
+  summary_.residual = change;
+  summary_.reason = fmt::format(
+      "joint displacements still change by {:.1e}, relative, after {} passes: losses, frequencies "
+      "and displacements by {:.2g} of their standard deviations at most",
+      change, kMostPasses, over_deviations);
+  const bool within = over_deviations <= kNegligible && state.settled.solution.optimal();
+  summary_.stop = within ? Stop::kConverged : Stop::kLimit;
 }
 
 CalibratedState GrowingRange::converge(CalibratedState state) {
   summary_.method = "levels of several joints";
   keep_weights_ = false;
+  StepShare share(kShareOfSteps);
+  double over_deviations = 0.0;
   for (int i = 0; i < kMostPasses; ++i) {
-    const std::vector<double> before = vibrations();
+    const std::vector<LevelVibration> before = vibrations();
     keep_weights_ = i >= kPassesOfWeights;
+    share_ = keep_weights_ ? share.share() : 1.0;
     state = pass(all_, &state, exponents_);
     const double change = largest_change(before, vibrations());
     summary_.residual = change;
     summary_.iterations = i + 1;
-    if (change > kSmallestChange) continue;
+    if (change > kSmallestChange * std::min(1.0, share_ / kShareOfSteps)) {
+      over_deviations = change_over_deviations(before, vibrations(), state.linear,
+                                               state.settled.weights, states_, sought_) /
+                        share_;
+      if (keep_weights_) share.take(change);
+      continue;
+    }
     read_optimality(state.settled.solution, "optimality conditions", summary_);
     if (!state.settled.solution.optimal()) return state;
     summary_.residual = change;
@@ -379,10 +434,7 @@ CalibratedState GrowingRange::converge(CalibratedState state) {
         fmt::format("no joint displacement changes by more than {:.1e}, relative", kSmallestChange);
     return state;
   }
-  summary_.stop = Stop::kLimit;
-  summary_.reason =
-      fmt::format("joint displacements still change by {:.1e}, relative, after {} passes",
-                  summary_.residual, kMostPasses);
+  judge_limit(state, summary_.residual / share_, over_deviations);
   return state;
 }
 
@@ -422,6 +474,7 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   require_levels(state);
   require_losses(state);
   state = steadied(std::move(state));
+  if (!fit_stiffness && correct_modes()) state = steadied(relinearised(state));
   deviations_believed_ = false;
   state = choose_exponents(state);
   if (!fit_stiffness) {
@@ -438,6 +491,31 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   state = converge(with_edges(choose_exponents(relinearised(state))));
   weigh_edges(state);
   return state;
+}
+
+/// Softening is relative to the frequencies of the structure: where these are off by more than
+/// they are known to, losses and frequencies of the levels are of no joints together.
+/// @return whether they were corrected.
+bool GrowingRange::correct_modes() {
+  if (!options_.correct_modes || evidence_.stuck_shapes) return false;
+  if (evidence_.frequency != FrequencyUse::kChange) return false;
+  const std::vector<LevelOffset> levels = level_offsets(evidence_.levels, states_);
+  try {
+    const FoundModes modes = found_modes(states_.given(), levels);
+    if (!modes.any()) return false;
+    const std::size_t count = states_.structure().linear().vibrations();
+    std::vector<double> taken(count, 0.0);
+    std::vector<double> of_mode(count, 0.0);
+    for (const LevelOffset& level : levels) {
+      taken[level.mode] += level.offset;
+      of_mode[level.mode] += 1.0;
+    }
+    for (std::size_t m = 0; m < count; ++m) taken[m] /= std::max(1.0, of_mode[m]);
+    states_.correct(modes.offset, std::move(taken));
+    return true;
+  } catch (const InputError&) {  // no structure has them: that given is the best there is
+    return false;
+  }
 }
 
 bool GrowingRange::edges_sought() const {

@@ -12,6 +12,7 @@
 
 #include "microslip/calibrate/calibration_options.hpp"
 #include "microslip/calibrate/linearisation.hpp"
+#include "microslip/calibrate/vibration_change.hpp"
 
 /// @file
 /// The joints and their displacements at the levels, found together. Internal to calibrate.
@@ -104,6 +105,7 @@ class GrowingRange {
   [[nodiscard]] AllUnknowns unknowns(const Variant& variant) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
   [[nodiscard]] CalibratedState grow();
+  [[nodiscard]] bool correct_modes();
   [[nodiscard]] CalibratedState tried(const CalibratedState& start,
                                       const std::vector<double>& exponents);
   void take_if_likelier(const CalibratedState& start, const std::vector<double>& exponents,
@@ -128,7 +130,9 @@ class GrowingRange {
   [[nodiscard]] CalibratedState relinearised(const CalibratedState& state);
   void require_levels(const CalibratedState& state) const;
   void require_losses(const CalibratedState& state) const;
-  [[nodiscard]] std::vector<double> vibrations() const;
+  [[nodiscard]] std::vector<LevelVibration> vibrations() const;
+  [[nodiscard]] std::size_t found_of(const std::vector<std::size_t>& levels) const;
+  void judge_limit(const CalibratedState& state, double change, double over_deviations);
 
   CalibrationEvidence evidence_;
   const std::vector<std::size_t>& sought_;
@@ -140,6 +144,7 @@ class GrowingRange {
   std::vector<double> exponents_;
   std::vector<FoundEdges> edges_;
   bool keep_weights_ = false;
+  double share_ = 1.0;  // of a step with kept weights
   bool deviations_believed_ = false;
   std::function<void()> tick_;
   Summary summary_;

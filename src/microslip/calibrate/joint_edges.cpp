@@ -68,9 +68,10 @@ double hold_lines(const RoughnessBlock& block, const Eigen::VectorXd& x, Eigen::
 
 double evidence_of(const NormalEquations& equations, const SettledEvidence& settled) {
   const LinearEvidence& evidence = equations.evidence();
-  const double freedom = evidence.of(RowKind::kLoss).count() +
-                         std::max(0.0, evidence.of(RowKind::kFrequency).count()) -
-                         free_count(evidence);
+  double freedom = -free_count(evidence);
+  for (const RowKind kind : kMeasuredKinds) {
+    freedom += std::max(0.0, evidence.of(kind).count());
+  }
   if (freedom < kLeastFreedom || !settled.solution.converged) {
     return std::numeric_limits<double>::infinity();
   }

@@ -265,7 +265,9 @@ Eigen::VectorXd JointUnknowns::projected(const JointUnknowns& other,
         interpolate(other.slip_, density, at) / (stiffness_ / length_ * theta_scale_ * there_(c));
   }
   const double whole = other.stiffness_row().dot(x);
-  found(size() - 1) = std::max(0.0, whole - stiffness_row().dot(found));
+  const double slips = stiffness_row().dot(found);
+  if (slips > whole) return whole / slips * found;
+  found(size() - 1) = whole - slips;
   return found;
 }
 

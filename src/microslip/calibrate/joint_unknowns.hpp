@@ -81,7 +81,8 @@ class JointUnknowns {
 
   /// Coefficients of a spring that does not slip.
   [[nodiscard]] Eigen::VectorXd stuck() const;
-  /// Coefficients that follow another density at the knots.
+  /// Coefficients that follow another density at the knots, or in proportion to it where that
+  /// alone would be more than k.
   /// @param other  unknowns of the same joint. @param x  its coefficients.
   [[nodiscard]] Eigen::VectorXd projected(const JointUnknowns& other,
                                           const Eigen::VectorXd& x) const;

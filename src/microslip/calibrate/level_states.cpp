@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "microslip/dynamics/structure/modal_offsets.hpp"
+
 namespace microslip {
 namespace {
 
@@ -63,6 +65,7 @@ LevelStates::LevelStates(JointedStructure structure, std::string response,
                          HarmonicBalanceOptions balance, const ModalLevels& levels,
                          Execution execution)
     : levels_(levels),
+      given_(structure),
       execution_(std::move(execution)),
       balance_(std::move(structure), ResponsePoint{std::move(response)}, std::move(balance)),
       states_(levels.size()),
@@ -79,6 +82,18 @@ void LevelStates::read_stuck() {
 void LevelStates::set_joints(const std::vector<Joint>& joints) {
   balance_ = HarmonicBalance(with_joints(balance_.structure(), joints), balance_.response(),
                              balance_.options());
+  read_stuck();
+}
+
+JointedStructure LevelStates::given() const {
+  const auto joints = balance_.structure().joints();
+  return given_.with_joints({joints.begin(), joints.end()});
+}
+
+void LevelStates::correct(const std::vector<double>& modes, std::vector<double> taken) {
+  balance_ =
+      HarmonicBalance(with_modal_offsets(given(), modes), balance_.response(), balance_.options());
+  taken_ = std::move(taken);
   read_stuck();
 }
 

@@ -37,6 +37,19 @@ class LevelStates {
   /// @param which  levels.
   void solve(const std::vector<std::size_t>& which);
 
+  /// Takes other frequencies of the modes without joints than those given; vibrations are unchanged
+  /// until solve().
+  /// @param modes  offset of each, of ln ω_i.
+  /// @param taken  by which offset of ln ω levels of each mode are then less off, by mode.
+  /// @throws InputError  as JointedStructure.
+  void correct(const std::vector<double>& modes, std::vector<double> taken);
+  /// The offset of ln ω of levels of a mode that the corrected structure has; 0 without.
+  [[nodiscard]] double offset_taken(std::size_t mode) const {
+    return taken_.empty() ? 0.0 : taken_[mode];
+  }
+  /// The structure as given, with the present joints.
+  [[nodiscard]] JointedStructure given() const;
+
   [[nodiscard]] const JointedStructure& structure() const { return balance_.structure(); }
   [[nodiscard]] const std::string& response() const { return balance_.response().point; }
   [[nodiscard]] const HarmonicBalance& balance() const { return balance_; }
@@ -53,6 +66,11 @@ class LevelStates {
   [[nodiscard]] double stuck_amplitude(std::size_t level, std::size_t joint) const {
     return stuck_shape_[levels_.mode[level]][joint] * levels_.displacement[level];
   }
+
+  /// The vibrations of all levels, to return to.
+  using Vibrations = std::vector<std::optional<SteadyVibration>>;
+  [[nodiscard]] const Vibrations& vibrations() const { return states_; }
+  void set_vibrations(const Vibrations& vibrations) { states_ = vibrations; }
 
   /// Drops a level that the joints were not identified from.
   void drop(std::size_t level) { states_[level].reset(); }
@@ -72,6 +90,8 @@ class LevelStates {
   [[nodiscard]] bool of_mode(std::size_t level, const SteadyVibration& vibration) const;
 
   const ModalLevels& levels_;
+  JointedStructure given_;
+  std::vector<double> taken_;  // of each mode
   Execution execution_;
   HarmonicBalance balance_;
   std::vector<std::vector<double>> stuck_mode_;   // [mode][mode of the structure]

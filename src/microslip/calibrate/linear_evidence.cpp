@@ -47,11 +47,11 @@ class Round {
     return inverse_.cwiseProduct(equations_.information(kind)).sum() / (scatter * scatter);
   }
 
-  /// The part of edf() of losses and frequencies due to the coefficients of each joint.
+  /// The part of edf() of all that is measured due to the coefficients of each joint.
   [[nodiscard]] std::vector<double> edf_by_joint() const {
     const std::vector<RoughnessBlock>& blocks = equations_.evidence().roughness;
     std::vector<double> freedom(blocks.size(), 0.0);
-    for (const RowKind kind : {RowKind::kLoss, RowKind::kFrequency}) {
+    for (const RowKind kind : kMeasuredKinds) {
       const double scatter = weights_.of(kind);
       const Eigen::VectorXd own =
           inverse_.cwiseProduct(equations_.information(kind)).rowwise().sum() / (scatter * scatter);
@@ -120,7 +120,7 @@ SettledEvidence read_round(const Round& now, const EvidenceWeights& weights) {
   SettledEvidence settled;
   settled.x = now.solution().x;
   settled.weights = weights;
-  settled.edf = now.edf(RowKind::kLoss) + now.edf(RowKind::kFrequency);
+  for (const RowKind kind : kMeasuredKinds) settled.edf += now.edf(kind);
   settled.edf_by_joint = now.edf_by_joint();
   settled.likelihood = now.likelihood();
   settled.solution = now.solution();
@@ -220,7 +220,7 @@ SettledEvidence settle(const NormalEquations& equations, EvidenceWeights weights
       change = std::max(change, std::abs(std::log(next / weights.lambda[j])));
       weights.lambda[j] = next;
     }
-    for (const RowKind kind : {RowKind::kLoss, RowKind::kFrequency}) {
+    for (const RowKind kind : kMeasuredKinds) {
       if (!equations.evidence().of(kind).has_freedom()) continue;
       const auto k = static_cast<std::size_t>(kind);
       const double next = std::clamp(now.next_scatter(kind), bounds.least[k], bounds.most[k]);

@@ -13,9 +13,14 @@
 
 namespace microslip {
 
-/// Kinds of rows. Those of a kind share a scatter, which is found, but that of k, which is known.
-enum class RowKind { kLoss, kFrequency, kStiffness };
-inline constexpr std::array kRowKinds = {RowKind::kLoss, RowKind::kFrequency, RowKind::kStiffness};
+/// Kinds of rows: losses, frequencies, displacements of joints by sensors, k. Those of a kind share
+/// a scatter, which is found, but that of k, which is known.
+enum class RowKind { kLoss, kFrequency, kAmplitude, kStiffness };
+inline constexpr std::array kRowKinds = {RowKind::kLoss, RowKind::kFrequency, RowKind::kAmplitude,
+                                         RowKind::kStiffness};
+/// The kinds that are measured.
+inline constexpr std::array kMeasuredKinds = {RowKind::kLoss, RowKind::kFrequency,
+                                              RowKind::kAmplitude};
 
 /// λ goes no further. Above, θ bends by less than a hundredth of the stiffness: no joint is known
 /// to follow a power law so closely. Below, it is as free as the basis.
@@ -60,7 +65,7 @@ struct LinearEvidence {
 /// λ of each joint and τ of each kind of rows.
 struct EvidenceWeights {
   std::vector<double> lambda;
-  std::array<double, kRowKinds.size()> scatter{1.0, 1.0, 1.0};
+  std::array<double, kRowKinds.size()> scatter{1.0, 1.0, 1.0, 1.0};
 
   [[nodiscard]] double& of(RowKind kind) { return scatter[static_cast<std::size_t>(kind)]; }
   [[nodiscard]] double of(RowKind kind) const { return scatter[static_cast<std::size_t>(kind)]; }
@@ -69,9 +74,9 @@ struct EvidenceWeights {
 /// Bounds of τ of each kind of rows.
 struct ScatterBounds {
   std::array<double, kRowKinds.size()> least{};
-  std::array<double, kRowKinds.size()> most{std::numeric_limits<double>::infinity(),
-                                            std::numeric_limits<double>::infinity(),
-                                            std::numeric_limits<double>::infinity()};
+  std::array<double, kRowKinds.size()> most{
+      std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+      std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 };
 
 /// The matrix with a ridge at rounding level, so that it has a factor.

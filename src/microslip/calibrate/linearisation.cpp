@@ -48,21 +48,30 @@ class AnswersOfLevel {
       if (unknowns_.index(j) != joint) continue;
       row(static_cast<Eigen::Index>(2 * j)) += 1.0;
     }
-    const bool sensed = !std::isnan(evidence_.measured_amplitude(level_, joint));
-    if (evidence_.stuck_shapes || sensed) return row;
-    row += loss_slope(joint) * answer(sensitivity_.amplitude.row(static_cast<Eigen::Index>(joint)));
+    if (evidence_.stuck_shapes || evidence_.sensor_replaces(level_, joint)) return row;
+    row += loss_slope(joint) * amplitude(joint);
     return row;
+  }
+
+  /// The derivative of the amplitude of one joint of the structure.
+  [[nodiscard]] Eigen::RowVectorXd amplitude(std::size_t joint) const {
+    return answer(sensitivity_.amplitude.row(static_cast<Eigen::Index>(joint)));
   }
 
   /// ω: its derivative.
   [[nodiscard]] Eigen::RowVectorXd frequency() const { return answer(sensitivity_.frequency); }
 
-  /// Effect of one standard deviation of the displacement of the response point on ω.
+  /// Effect of one standard deviation of the displacement of the response point on measured minus
+  /// fitted ω.
   [[nodiscard]] double frequency_share() const {
-    return sensitivity_.frequency_by_response * displacement_deviation();
+    return -sensitivity_.frequency_by_response * displacement_deviation();
+  }
+  /// The effect on the amplitude of one joint of the structure.
+  [[nodiscard]] double amplitude_share(std::size_t joint) const {
+    return -amplitude_by_response(joint) * displacement_deviation();
   }
 
-  /// The effect on measured minus fitted loss of all joints together. Amplitudes of sensors do not
+  /// The effect on the loss of all joints together. Amplitudes that sensors replace do not
   /// follow; a loss of ζ does, with the square.
   [[nodiscard]] double loss_share(double measured_slope) const {
     double slope = measured_slope;
@@ -73,7 +82,7 @@ class AnswersOfLevel {
   }
   /// The effect on the loss of one joint.
   [[nodiscard]] double loss_share_of(std::size_t joint) const {
-    return loss_slope(joint) * amplitude_by_response(joint) * displacement_deviation();
+    return loss_slope(joint) * amplitude_share(joint);
   }
 
   [[nodiscard]] const SteadyVibration& vibration() const { return vibration_; }
@@ -96,7 +105,7 @@ class AnswersOfLevel {
   }
 
   [[nodiscard]] double amplitude_by_response(std::size_t joint) const {
-    if (!std::isnan(evidence_.measured_amplitude(level_, joint))) return 0.0;
+    if (evidence_.sensor_replaces(level_, joint)) return 0.0;
     if (!evidence_.stuck_shapes) {
       return sensitivity_.amplitude_by_response(static_cast<Eigen::Index>(joint));
     }
@@ -170,11 +179,11 @@ double joint_entry(const CalibrationEvidence& evidence, std::size_t joint, std::
   return ModalLevels::value(evidence.levels.joints[column].*values, level);
 }
 
-/// Effect of ± σ of a sensor's amplitude on D.
+/// Effect of ± σ of the amplitude of a sensor that replaces that of the structure on D.
 double sensor_share(const CalibrationEvidence& evidence, const LevelStates& states,
                     std::size_t level, std::size_t joint) {
   const double sigma = joint_entry(evidence, joint, level, &JointLevels::amplitude_std);
-  if (std::isnan(sigma) || std::isnan(evidence.measured_amplitude(level, joint))) return 0.0;
+  if (std::isnan(sigma) || !evidence.sensor_replaces(level, joint)) return 0.0;
   const double a = used_amplitude(evidence, states, level, joint);
   return dissipation_slope(states.structure().joints()[joint].joint, a) * sigma;
 }
@@ -219,21 +228,66 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
   rows.push_back(std::move(together));
 }
 
-/// Adds the effect of the displacement error on each row, c_i. Repeated levels, of one mode at one
-/// displacement, share that error, and their mean is known no better than it: with
+/// The displacements of joints that sensors observe.
+void add_sensors(const CalibrationEvidence& evidence, const LevelStates& states, std::size_t level,
+                 const AnswersOfLevel& answers, std::vector<LevelRow>& rows) {
+  for (std::size_t joint = 0; joint < states.structure().joints().size(); ++joint) {
+    if (!evidence.sensor_observes(level, joint)) continue;
+    rows.push_back(
+        {.by = answers.amplitude(joint),
+         .data = evidence.measured_amplitude(level, joint) - states.amplitude(level, joint),
+         .deviation = joint_entry(evidence, joint, level, &JointLevels::amplitude_std),
+         .by_displacement = answers.amplitude_share(joint),
+         .level = level,
+         .joint = joint});
+  }
+}
+
+/// Repeated levels, of one mode at one displacement, share the error of that, and their mean is
+/// known no better than it. Each has an error of its own here, in place of c_i
 ///
-///     σ_i² ← σ_i²(1 + c_i² Σ_r 1/σ_r²)   over the rows r of the same quantity at such levels
+///     c_i σ_i √(Σ_r 1/σ_r²)   over the rows r of the same quantity at such levels,
 ///
-/// the mean has the variance 1/Σ_r(1/σ_r²) + c². Of a level alone that is σ² + c².
-void add_displacement_errors(const ModalLevels& levels, std::vector<LevelRow>& rows) {
+/// with which the mean has the variance 1/Σ_r(1/σ_r²) + c². Of a level alone that is c_i.
+void share_displacement_errors(const ModalLevels& levels, std::vector<LevelRow>& rows) {
   std::map<std::tuple<std::size_t, double, std::size_t>, double> precision;
   const auto key = [&](const LevelRow& row) {
     return std::tuple(levels.mode[row.level], levels.displacement[row.level], row.joint);
   };
   for (const LevelRow& row : rows) precision[key(row)] += 1.0 / (row.deviation * row.deviation);
+  for (LevelRow& row : rows) row.by_displacement *= row.deviation * std::sqrt(precision[key(row)]);
+}
+
+/// The error of the displacement of a level, over its standard deviation, as the rows so far show
+/// it: the mean by − data, and the variance.
+struct DisplacementError {
+  Eigen::RowVectorXd by;
+  double data = 0.0;
+  double variance = 1.0;
+};
+
+/// Takes from each row what the rows before it show of the error of the displacement that they
+/// share: with e ~ N(m, P) after these a row of σ and the share c of e becomes
+///
+///     b − cm with the variance σ² + c²P,   after which m ← m + K(b − cm), P ← P(1 − Kc),
+///     K = cP/(σ² + c²P)
+///
+/// as in a Kalman filter, so that all rows together have the covariance diag σ² + ccᵀ.
+void take_displacement_errors(std::map<std::size_t, DisplacementError>& errors,
+                              std::vector<LevelRow>& rows) {
   for (LevelRow& row : rows) {
-    if (row.by_displacement == 0.0) continue;  // where deviations are not known, too
-    row.deviation *= std::hypot(1.0, row.by_displacement * std::sqrt(precision[key(row)]));
+    const double c = row.by_displacement;
+    if (c == 0.0) continue;  // where deviations are not known, too
+    DisplacementError& error = errors[row.level];
+    if (error.by.size() == 0) error.by = Eigen::RowVectorXd::Zero(row.by.size());
+    row.by -= c * error.by;
+    row.data -= c * error.data;
+    const double variance = row.deviation * row.deviation + c * c * error.variance;
+    const double gain = c * error.variance / variance;
+    error.by += gain * row.by;
+    error.data += gain * row.data;
+    error.variance *= 1.0 - gain * c;
+    row.deviation = std::sqrt(variance);
   }
 }
 
@@ -352,10 +406,18 @@ double frequency_error(const ModalLevels& levels, std::size_t level,
   return omega / vibration.angular_frequency - 1.0;
 }
 
+bool CalibrationEvidence::sensor_observes(std::size_t level, std::size_t joint) const {
+  return !stuck_shapes && !std::isnan(measured_amplitude(level, joint)) &&
+         joint_entry(*this, joint, level, &JointLevels::amplitude_std) > 0.0;
+}
+
+bool CalibrationEvidence::sensor_replaces(std::size_t level, std::size_t joint) const {
+  return !std::isnan(measured_amplitude(level, joint)) && !sensor_observes(level, joint);
+}
+
 double used_amplitude(const CalibrationEvidence& evidence, const LevelStates& states,
                       std::size_t level, std::size_t joint) {
-  const double measured = evidence.measured_amplitude(level, joint);
-  if (!std::isnan(measured)) return measured;
+  if (evidence.sensor_replaces(level, joint)) return evidence.measured_amplitude(level, joint);
   return evidence.stuck_shapes ? states.stuck_amplitude(level, joint)
                                : states.amplitude(level, joint);
 }
@@ -397,7 +459,10 @@ LevelDeviations deviations_about(const CalibrationEvidence& evidence, const AllU
   const auto whole = [](const LevelRow& row) {
     return std::hypot(row.deviation, row.by_displacement);
   };
-  LevelDeviations found{kUnknown, std::vector(evidence.column.size(), kUnknown), kUnknown};
+  LevelDeviations found{kUnknown, std::vector(evidence.column.size(), kUnknown), kUnknown, {}};
+  for (std::size_t joint = 0; joint < evidence.column.size(); ++joint) {
+    found.by_displacement.push_back(answers.loss_share_of(joint));
+  }
   std::vector<LevelRow> losses;
   add_losses(evidence, unknowns, states, level, answers, losses);
   for (const LevelRow& row : losses) {
@@ -423,19 +488,26 @@ LinearisedLevels linearise(const CalibrationEvidence& evidence, const AllUnknown
     const std::size_t before = linear.losses.size();
     add_losses(evidence, unknowns, states, level, answers, linear.losses);
     for (std::size_t i = before; i < linear.losses.size(); ++i) linear.losses[i].place = place;
+    const std::size_t sensors = linear.sensors.size();
+    add_sensors(evidence, states, level, answers, linear.sensors);
+    for (std::size_t i = sensors; i < linear.sensors.size(); ++i) linear.sensors[i].place = place;
     const double frequency = ModalLevels::value(evidence.levels.frequency, level);
     if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(frequency)) continue;
     linear.frequencies.push_back(frequency_row(evidence, level, answers, frequency));
     linear.frequencies.back().place = place;
   }
-  add_displacement_errors(evidence.levels, linear.losses);
-  add_displacement_errors(evidence.levels, linear.frequencies);
+  // Frequencies last: their offset, which centre_modes() takes, is then in no other row.
+  std::map<std::size_t, DisplacementError> errors;
+  for (std::vector<LevelRow>* rows : {&linear.losses, &linear.sensors, &linear.frequencies}) {
+    share_displacement_errors(evidence.levels, *rows);
+    take_displacement_errors(errors, *rows);
+  }
   for (const LevelRow& row : linear.losses) largest = std::max(largest, row.deviation);
   for (LevelRow& row : linear.losses) {
     row.deviation = std::max(row.deviation, kLeastLoss * largest);
   }
   const std::vector<JointRows> of_level = joint_rows(unknowns, linear);
-  for (std::vector<LevelRow>* rows : {&linear.losses, &linear.frequencies}) {
+  for (std::vector<LevelRow>* rows : {&linear.losses, &linear.sensors, &linear.frequencies}) {
     for (LevelRow& row : *rows) row.data += of_level[row.place].of(row.by).dot(x);
   }
   return linear;
@@ -446,6 +518,7 @@ LinearEvidence in_terms_of(const CalibrationEvidence& evidence, const AllUnknown
   const std::vector<JointRows> of_level = joint_rows(unknowns, levels);
   LinearEvidence linear;
   linear.of(RowKind::kLoss) = weighed(levels.losses, unknowns.size(), of_level);
+  linear.of(RowKind::kAmplitude) = weighed(levels.sensors, unknowns.size(), of_level);
   WeightedRows& frequencies = linear.of(RowKind::kFrequency);
   frequencies = weighed(levels.frequencies, unknowns.size(), of_level);
   if (evidence.frequency == FrequencyUse::kChange) {

@@ -66,13 +66,18 @@ struct CalibrationEvidence {
 
   /// Amplitude of a joint at a level by its sensor, m; NaN without.
   [[nodiscard]] double measured_amplitude(std::size_t level, std::size_t joint) const;
+  /// Whether that is an observation beside others, with a standard deviation: the structure then
+  /// has the amplitude of the level.
+  [[nodiscard]] bool sensor_observes(std::size_t level, std::size_t joint) const;
+  /// Whether it is the amplitude of the level: measured, and no such observation.
+  [[nodiscard]] bool sensor_replaces(std::size_t level, std::size_t joint) const;
 };
 
 /// Whether the loss of a level has a positive standard deviation, in each column that counts.
 [[nodiscard]] bool loss_deviation_known(const CalibrationEvidence& evidence, std::size_t level);
 
 /// Half range of a joint's displacement at a level that its energies are computed from: as
-/// measured, else that of the states.
+/// measured where a sensor replaces it, else that of the states.
 [[nodiscard]] double used_amplitude(const CalibrationEvidence& evidence, const LevelStates& states,
                                     std::size_t level, std::size_t joint);
 
@@ -104,12 +109,15 @@ struct LinearLoss {
                                                    const AllUnknowns& unknowns,
                                                    const LevelStates& states, std::size_t level);
 
-/// Standard deviations that weight a level, including the error of its displacement; relative ones,
+/// Standard deviations of a level, including the error of its displacement; relative ones,
 /// of a scatter of 1, where they are not known. NaN where not measured.
 struct LevelDeviations {
   double loss;                 ///< of all joints together, J
   std::vector<double> joints;  ///< of the loss of each joint of the structure, J
   double frequency;            ///< relative, 1
+  /// Change of the loss of each joint of the structure by one standard deviation of the
+  /// displacement of the response point, J; 0 where that is not known.
+  std::vector<double> by_displacement;
 };
 /// @param level  a solved level.
 [[nodiscard]] LevelDeviations deviations_about(const CalibrationEvidence& evidence,
@@ -119,11 +127,12 @@ struct LevelDeviations {
 /// A row of a level before weighting, linear in the loss D_j and the stiffness k_eq,j of the joints
 /// sought at their amplitudes there.
 struct LevelRow {
-  Eigen::RowVectorXd by;         ///< derivatives by D_1, k_eq,1, D_2, k_eq,2 …
-  double data = 0.0;             ///< measured value
-  double size = 0.0;             ///< measured loss, J
-  double deviation = 1.0;        ///< standard deviation
-  double by_displacement = 0.0;  ///< contribution of the displacement error to the deviation
+  Eigen::RowVectorXd by;   ///< derivatives by D_1, k_eq,1, D_2, k_eq,2 …
+  double data = 0.0;       ///< measured value
+  double size = 0.0;       ///< measured loss, J
+  double deviation = 1.0;  ///< standard deviation
+  /// Change of measured minus fitted value by one standard deviation of the displacement
+  double by_displacement = 0.0;
   std::size_t level = 0;
   std::size_t joint = kAllJoints;  ///< whose loss it is
   std::size_t place = 0;           ///< of the level among LinearisedLevels::amplitude
@@ -135,12 +144,14 @@ struct LevelRow {
 struct LinearisedLevels {
   std::vector<LevelRow> losses;
   std::vector<LevelRow> frequencies;
+  std::vector<LevelRow> sensors;               ///< displacements of joints that sensors observe
   std::vector<std::vector<double>> amplitude;  ///< [solved level][joint that is sought], m
 };
 
 /// Rows of solved levels. A loss or a frequency of unknown deviation is weighted by itself: the
-/// scatter found is then relative. Repeated levels, of one mode at one displacement, count as their
-/// mean would: they share the error of the displacement.
+/// scatter found is then relative. All rows of a level share the error of its displacement, which
+/// counts once: each is what the rows before it leave of it. Repeated levels, of one mode at one
+/// displacement, count as their mean would: they share that error, too.
 /// @param x  the coefficients of the joints of the states.
 [[nodiscard]] LinearisedLevels linearise(const CalibrationEvidence& evidence,
                                          const AllUnknowns& unknowns, const LevelStates& states,

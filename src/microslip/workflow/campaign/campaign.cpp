@@ -122,11 +122,14 @@ class CampaignWork {
     std::ranges::move(copies_of_tests(opened_), std::back_inserter(all.warnings));
     all.conditions = condition_effects(plan_, all.levels, all.sessions);
     leave_out(all);
-    const ModelFile nominal = joints_->model(all, all.warnings);
-    const ModelsOfSessions models = models_of_sessions(nominal, all);
+    DoneCampaign others = without_wrong_tests(all);
+    const DoneCampaign& predicting = sound_ ? others : all;
+    const ModelFile nominal = joints_->model(predicting, all.warnings);
+    const ModelsOfSessions models = models_of_sessions(nominal, predicting);
     warn_of_sessions(all);
     predict(models, all);
-    compose(models, all);
+    others.warnings = all.warnings;
+    compose(models, predicting, all);
     return all;
   }
 
@@ -157,6 +160,43 @@ class CampaignWork {
                        part.name, part.curve.inside(), part.curve.compared(),
                        100.0 * std::expm1(part.mean_deviation()), 100.0 * part.curve.chance)});
     }
+  }
+
+  /// Tests that contradict the others, where they are fewer than half of three and more: of two
+  /// each does.
+  [[nodiscard]] std::set<std::size_t> wrong_tests(const DoneCampaign& all) const {
+    std::set<std::size_t> wrong;
+    if (plan_.leave_out != LeaveOut::kTests) return wrong;
+    for (const LeftOut& part : all.left_out) {
+      if (part.contradicts()) wrong.insert(all.levels.test[part.levels.front()]);
+    }
+    const auto count =
+        static_cast<std::size_t>(std::ranges::count_if(plan_.tests, &CampaignTest::identifies));
+    return 2 * wrong.size() < count ? wrong : std::set<std::size_t>{};
+  }
+
+  /// A test that is wrong would be in the predictions of the others: the joints that predict are
+  /// found without it.
+  /// @return what was found without; `sound_` says whether anything was.
+  [[nodiscard]] DoneCampaign without_wrong_tests(DoneCampaign& all) {
+    const std::set<std::size_t> wrong = wrong_tests(all);
+    DoneCampaign others{.plan = plan_};
+    if (wrong.empty()) return others;
+    OpenedCampaign rest = opened_;
+    for (const std::size_t t : wrong) rest.plan.tests[t].use = CampaignUse::kPredict;
+    sound_ = std::move(rest);
+    others.plan = sound_->plan;
+    joints_ = plan_.of_model() ? joints_of_model(run_, *sound_, comment_)
+                               : joints_of_rig(run_, *sound_, comment_);
+    joints_->identify({}, others);
+    for (const std::size_t t : wrong) {
+      all.warnings.push_back(
+          {"test_not_pooled",
+           fmt::format("{} is wrong, or another joint: joints and predictions are those of the "
+                       "other tests.",
+                       plan_.tests[t].name)});
+    }
+    return others;
   }
 
   void warn_of_sessions(DoneCampaign& all) const {
@@ -355,14 +395,16 @@ class CampaignWork {
 
   // ---- Files. ----
 
-  void compose(const ModelsOfSessions& models, DoneCampaign& all) const {
+  /// @param predicting  with the joints that predict.
+  void compose(const ModelsOfSessions& models, const DoneCampaign& predicting,
+               DoneCampaign& all) const {
     all.files = files_of(run_, opened_);
     const std::string comment = with_warnings(comment_.text, all.warnings);
     const auto put = [&](const std::string& name, const auto& text) {
       const auto file = std::ranges::find(all.files, in_folder(run_, name), &ResultFile::path);
       if (file != all.files.end()) file->content = text();
     };
-    std::vector<ResultFile> own = joints_->files(all);
+    std::vector<ResultFile> own = joints_->files(predicting);
     std::ranges::copy(all.levels.tables, std::back_inserter(own));
     for (const ResultFile& file : own) {
       put(fs::path(file.path).filename().string(), [&] { return file.content; });
@@ -381,7 +423,8 @@ class CampaignWork {
   const CampaignRun& run_;
   const OpenedCampaign& opened_;
   const CampaignFile& plan_;
-  CampaignComment comment_;  // of each file
+  CampaignComment comment_;              // of each file
+  std::optional<OpenedCampaign> sound_;  // without tests that are wrong, where there are some
   std::unique_ptr<CampaignJoints> joints_;
   std::size_t stages_ = 1;
 };

@@ -47,6 +47,8 @@ ModelCalibration calibration_of(const CampaignRun& run, const CampaignFile& plan
   options.frequency = use_of(plan.frequency);
   options.fit_stiffness = plan.fit_stiffness;
   options.edges = plan.edges;
+  options.correct_modes =
+      false;  // offsets are those of sessions, and predictions of the model given
   options.balance.forcing = plan.modal_forcing ? Forcing::kModal : Forcing::kExcitation;
   options.balance.harmonics = plan.harmonics;
   if (plan.draws > 0) options.draws = plan.draws;

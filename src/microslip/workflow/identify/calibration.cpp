@@ -24,6 +24,7 @@
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/workflow/identify/calibration_tables.hpp"
 #include "microslip/workflow/identify/found_joint.hpp"
+#include "microslip/workflow/identify/found_modes.hpp"
 #include "microslip/workflow/predict/model_draws.hpp"
 #include "microslip/workflow/predict/model_rules.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
@@ -89,8 +90,10 @@ ModalLevels read_all_levels(const ModelCalibration& options, CalibratedModel& do
   return levels;
 }
 
-NamedValues options_record(const CalibrationOptions& options) {
+NamedValues options_record(const CalibrationOptions& options, ModelFrequencies frequencies) {
   NamedValues record;
+  record.emplace_back("model_frequencies",
+                      frequencies == ModelFrequencies::kCorrected ? "corrected" : "given");
   record.emplace_back("frequency", std::string(to_string(options.frequency)));
   record.emplace_back("stiffness", options.fit_stiffness ? "fit" : "given");
   record.emplace_back("shapes", options.stuck_shapes ? "stuck" : "found");
@@ -107,7 +110,7 @@ Provenance calibration_provenance(const ModelCalibration& options, const Calibra
   provenance.version = kVersion;
   provenance.command = options.command;
   provenance.inputs = done.inputs;
-  provenance.options = options_record(options.options);
+  provenance.options = options_record(options.options, options.model_frequencies);
   provenance.seed = options.options.seed;
   return provenance;
 }
@@ -173,6 +176,15 @@ std::string describe_pairs(const CalibrationResult& found) {
                              percent_text(pair.spread_together), percent_text(pair.spread_alone)));
   }
   return text;
+}
+
+void check_model_frequencies(const ModelCalibration& options) {
+  if (options.model_frequencies == ModelFrequencies::kGiven) return;
+  if (options.options.frequency == FrequencyUse::kChange) return;
+  throw InputError("frequencies of the model", "\"corrected\"",
+                   "must not be asked for unless frequencies of the levels count by their change: "
+                   "absolute ones take the model's to be right",
+                   "Leave --model-frequencies out, or --frequency.");
 }
 
 void check_to_calibrate(const ModelFile& model, const std::string& path) {
@@ -291,7 +303,9 @@ void compose_calibration(const ModelCalibration& options, const ModalLevels& lev
     ++at;
   }
   const std::string comment = comment_of(options, done);
-  done.files[at++].content = format_model(model_with_found(options, done), comment);
+  ModelFile model = model_with_found(options, done);
+  set_found_modes(done.found.modes, options.model_frequencies, model);
+  done.files[at++].content = format_model(model, comment);
   done.files[at++].content =
       format_calibration(calibration_file_of(found_calibration(done.found), provenance));
   done.files[at++].content =
@@ -315,6 +329,7 @@ void calibrate_levels(const ModelCalibration& options, const ModalLevels& levels
 
 CalibratedModel calibrate_model(const ModelCalibration& options) {
   check_distinct_files(options.levels);
+  check_model_frequencies(options);
   CalibratedModel done{.model = read_model_to_calibrate(options.model)};
   done.inputs.push_back({options.model, sha256(read_text(options.model))});
   const ModalLevels levels = read_all_levels(options, done);
@@ -329,7 +344,8 @@ std::string describe_calibration(const ModelCalibration& options, const Calibrat
                                                 counted(options.levels.size(), "file"))) +
                      describe_ending(done.found.summary);
   for (const CalibratedJoint& joint : done.found.joints) text += describe_joint(joint);
-  return text + describe_scatter(done.found) + describe_pairs(done.found) +
+  return text + describe_scatter(done.found) +
+         describe_found_modes(done.found, options.model_frequencies) + describe_pairs(done.found) +
          describe_warnings(done.found.warnings);
 }
 

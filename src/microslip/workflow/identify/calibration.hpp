@@ -13,6 +13,7 @@
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/io/config/named_values.hpp"
 #include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/identify/model_frequencies.hpp"
 #include "microslip/workflow/identify/result_files.hpp"
 
 /// @file
@@ -26,8 +27,9 @@ struct ModelCalibration {
   std::vector<std::string> levels;  ///< paths of modal_levels.csv
   std::string out;                  ///< folder of the results
   bool keep_draws = false;          ///< writes NAME_samples.h5 of each joint
-  CalibrationOptions options = {};  ///< of the method
-  std::string command;              ///< that the files are made by
+  ModelFrequencies model_frequencies = ModelFrequencies::kGiven;  ///< of model.toml
+  CalibrationOptions options = {};                                ///< of the method
+  std::string command;                                            ///< that the files are made by
 };
 
 /// Result of calibrate_model().

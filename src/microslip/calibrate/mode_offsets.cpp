@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "microslip/calibrate/mode_offsets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "microslip/dynamics/structure/modal_offsets.hpp"
+#include "microslip/joint/secant.hpp"
+
+namespace microslip {
+namespace {
+
+/// Of the stiffness of a vibration that must not be of its joints.
+constexpr double kLeastOfModes = 0.1;
+/// Offsets that tell their scatter.
+constexpr std::size_t kFewestOfScatter = 3;
+
+/// A mode as its levels show it.
+struct ToldMode {
+  StructureOffset mean;
+  double scatter = 0.0;  ///< of its levels about the offset, rms
+};
+
+ToldMode told_mode(std::size_t mode, const std::vector<const LevelOffset*>& levels) {
+  const auto n = static_cast<double>(levels.size());
+  ToldMode told{
+      {.mode = mode,
+       .joint_stiffness = std::vector<double>(levels.front()->joint_stiffness.size(), 0.0)}};
+  for (const LevelOffset* level : levels) {
+    told.mean.offset += level->offset / n;
+    for (std::size_t j = 0; j < level->joint_stiffness.size(); ++j) {
+      told.mean.joint_stiffness[j] += level->joint_stiffness[j] / n;
+    }
+  }
+  double squares = 0.0;
+  for (const LevelOffset* level : levels) squares += std::pow(level->offset - told.mean.offset, 2);
+  told.scatter = std::sqrt(squares / n);
+  return told;
+}
+
+std::vector<ToldMode> told_modes(const JointedStructure& structure,
+                                 const std::vector<LevelOffset>& levels) {
+  std::vector<ToldMode> all;
+  for (std::size_t mode = 0; mode < structure.linear().vibrations(); ++mode) {
+    std::vector<const LevelOffset*> own;
+    for (const LevelOffset& level : levels) {
+      if (level.mode == mode) own.push_back(&level);
+    }
+    if (own.empty()) continue;
+    ToldMode told = told_mode(mode, own);
+    if (share_of_modes(structure, told.mean) >= kLeastOfModes) all.push_back(std::move(told));
+  }
+  return all;
+}
+
+/// Of the modes that tell none: the mean of the others, and its standard deviation.
+std::pair<double, double> offset_of_others(const std::vector<ToldMode>& told) {
+  const auto n = static_cast<double>(told.size());
+  double mean = 0.0;
+  for (const ToldMode& one : told) mean += one.mean.offset / n;
+  double squares = 0.0;
+  for (const ToldMode& one : told) squares += std::pow(one.mean.offset - mean, 2);
+  if (told.size() < kFewestOfScatter) return {mean, std::sqrt(mean * mean + squares / n)};
+  return {mean, std::sqrt(squares / (n - 1.0) * (1.0 + 1.0 / n))};
+}
+
+/// Whether a level is of the session of the first level of its mode: other sessions are off that.
+bool of_first_session(const ModalLevels& levels, std::size_t level) {
+  const auto first = std::ranges::find(levels.mode, levels.mode[level]) - levels.mode.begin();
+  return levels.same_offset(static_cast<std::size_t>(first), level);
+}
+
+}  // namespace
+
+bool FoundModes::any() const {
+  return std::ranges::any_of(offset,
+                             [](double each) { return std::abs(each) > kFrequencyResolution; });
+}
+
+std::vector<LevelOffset> level_offsets(const ModalLevels& levels, const LevelStates& states) {
+  std::vector<LevelOffset> all;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const double measured = ModalLevels::value(levels.frequency, i);
+    if (!states.at(i) || std::isnan(measured) || !of_first_session(levels, i)) continue;
+    LevelOffset level{levels.mode[i], std::log(2.0 * std::numbers::pi * measured /
+                                               states.at(i)->angular_frequency) +
+                                          states.offset_taken(levels.mode[i])};
+    for (std::size_t j = 0; j < states.structure().joints().size(); ++j) {
+      level.joint_stiffness.push_back(
+          secant_stiffness(states.structure().joints()[j].joint, states.amplitude(i, j)));
+    }
+    all.push_back(std::move(level));
+  }
+  return all;
+}
+
+FoundModes found_modes(const JointedStructure& structure, const std::vector<LevelOffset>& levels) {
+  const std::vector<ToldMode> told = told_modes(structure, levels);
+  if (told.empty()) return {};
+  std::vector<StructureOffset> measured;
+  for (const ToldMode& one : told) measured.push_back(one.mean);
+  const auto [others, others_std] = offset_of_others(told);
+  const ModalOffsets offsets = modal_offsets(structure, measured, others);
+  FoundModes all{.offset = offsets.offset};
+  for (std::size_t i = 0; i < offsets.offset.size(); ++i) {
+    double variance = offsets.left[i] * others_std * others_std;
+    for (std::size_t m = 0; m < told.size(); ++m) {
+      variance += std::pow(offsets.by_told[i][m] * told[m].scatter, 2);
+    }
+    all.deviation.push_back(std::sqrt(variance));
+  }
+  return all;
+}
+
+}  // namespace microslip
