@@ -59,6 +59,23 @@ void frf_sdof_curve(benchmark::State& state) {
 }
 BENCHMARK(frf_sdof_curve)->Unit(benchmark::kMillisecond);
 
+/// The same with a joint of many sliders, as others export them.
+void frf_atoms(benchmark::State& state) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const auto n = static_cast<double>(count);
+  AtomsPart atoms{std::vector<double>(count), std::vector<double>(count, 0.8 / n)};
+  for (std::size_t i = 0; i < count; ++i) {
+    atoms.slip_force[i] = 0.1 * (static_cast<double>(i) + 0.5) / n;
+  }
+  const Joint joint(testing::iwan_joint().stiffness(), SlipDensity({std::move(atoms)}));
+  const HarmonicBalance balance(testing::one_mass(joint), {"mass"},
+                                {.harmonics = 3, .samples = 256});
+  ResponseCurve curve;
+  for (auto _ : state) curve = balance.frequency_response(0.02, 0.8, 1.1);
+  report(state, curve);
+}
+BENCHMARK(frf_atoms)->RangeMultiplier(10)->Range(100, 10000)->Unit(benchmark::kMillisecond);
+
 /// The range at constant response.
 void frf_constant_response(benchmark::State& state) {
   const HarmonicBalance balance = one_mass();

@@ -56,6 +56,19 @@ TEST(DensityCorners, AreAtomsUpToSixteenAndJumpsBesideThem) {
   EXPECT_TRUE(std::ranges::is_sorted(rising, {}, &Corner::slip_force));
 }
 
+// 1/128 of all atoms, with a few that are as heavy as all the light ones.
+TEST(DensityCorners, AreHeavyAtomsOfCurves) {
+  EXPECT_EQ(heavy_atoms(density_of(3, 4)).size(), 3U);
+  EXPECT_EQ(heavy_atoms(density_of(127, 0)).size(), 127U);
+  EXPECT_EQ(heavy_atoms(density_of(129, 0)).size(), 0U);
+  AtomsPart part{{0.5, 0.7}, {0.1, 0.2}};
+  for (int i = 0; i < 1000; ++i) {
+    part.slip_force.push_back(1.0 + 1e-3 * i);
+    part.weight.push_back(3e-4);
+  }
+  EXPECT_EQ(heavy_atoms(SlipDensity({part})), (std::vector<double>{0.5, 0.7}));
+}
+
 TEST(DensityCorners, CountAtomsForTheOrder) {
   const auto many = [](std::size_t atoms, std::size_t uniform) {
     return has_many_atoms(testing::one_mass(Joint(0.25, density_of(atoms, uniform))));

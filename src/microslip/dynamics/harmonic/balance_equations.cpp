@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "microslip/dynamics/cycle/trigonometric_basis.hpp"
+#include "microslip/dynamics/structure/density_corners.hpp"
 #include "microslip/dynamics/structure/static_equilibrium.hpp"
 
 namespace microslip {
@@ -108,6 +109,9 @@ BalanceEquations::BalanceEquations(const JointedStructure& structure, const Resp
   if (!structure.static_loads().empty()) {
     resting_ = static_equilibrium(structure).joint_displacement;
   }
+  for (const StructuralJoint& joint : structure.joints()) {
+    atoms_.push_back(heavy_atoms(joint.joint.density()));
+  }
   for (Index i = 0; i < count_ + 2; ++i) {
     all_.push_back(i);
     if (i >= count_ || !is_even_coefficient(i % coefficient_count(harmonics))) odd_.push_back(i);
@@ -157,7 +161,7 @@ void BalanceEquations::evaluate(const VectorXd& z) {
 
 /// Keeps the branches of the motion that was evaluated last.
 void BalanceEquations::keep_branches(std::size_t joint) {
-  if (structure_.joints()[joint].joint.density().atoms().slip_force.empty()) return;
+  if (atoms_[joint].empty()) return;
   Branches& branches = branches_[joint];
   const Index block = coefficient_count(harmonics_);
   branches.reaches.resize(joint_force_.reaches());
@@ -246,10 +250,9 @@ RowVectorXd BalanceEquations::miss_gradient(const Onset& onset) const {
 std::vector<std::size_t> BalanceEquations::slipping() const {
   std::vector<std::size_t> counts;
   for (std::size_t j = 0; j < branches_.size(); ++j) {
-    const Joint& joint = structure_.joints()[j].joint;
     counts.push_back(branches_[j].reaches.size());
-    for (const double slip_force : joint.density().atoms().slip_force) {
-      const double least = slip_force / joint.stiffness();
+    for (const double slip_force : atoms_[j]) {
+      const double least = slip_force / structure_.joints()[j].joint.stiffness();
       counts.push_back(static_cast<std::size_t>(std::ranges::count_if(
           branches_[j].reaches, [least](double reach) { return reach > least; })));
     }
@@ -261,12 +264,12 @@ bool BalanceEquations::slips_otherwise(const std::vector<std::size_t>& one,
                                        const std::vector<std::size_t>& other) const {
   auto a = one.begin();
   auto b = other.begin();
-  for (const StructuralJoint& joint : structure_.joints()) {
-    const std::size_t count = 1 + joint.joint.density().atoms().slip_force.size();
-    const auto end = a + static_cast<std::ptrdiff_t>(count);
+  for (const std::vector<double>& atoms : atoms_) {
+    const auto count = static_cast<std::ptrdiff_t>(1 + atoms.size());
+    const auto end = a + count;
     if (*a == *b && !std::equal(a, end, b)) return true;
     a = end;
-    b += static_cast<std::ptrdiff_t>(count);
+    b += count;
   }
   return false;
 }

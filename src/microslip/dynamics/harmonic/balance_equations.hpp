@@ -17,8 +17,8 @@
 
 namespace microslip {
 
-/// Where an atom starts to slip on a branch of a joint's motion: the equations bend there. Internal
-/// to dynamics.
+/// Where a heavy atom starts to slip on a branch of a joint's motion: the equations bend there. See
+/// heavy_atoms(). Internal to dynamics.
 struct Onset {
   std::size_t joint;
   std::size_t rank;     ///< rank of the branch among the joint's, from the longest
@@ -82,8 +82,10 @@ class BalanceEquations {
   [[nodiscard]] double miss(const Target& target) const;
   [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Target& target);
 
-  /// How far the branches of a joint with atoms go, m, the farthest first; see
-  /// HarmonicForce::reaches(). Empty without atoms.
+  /// Slip forces of the heavy atoms of a joint, N, rising; see heavy_atoms().
+  [[nodiscard]] const std::vector<double>& atoms(std::size_t joint) const { return atoms_[joint]; }
+  /// How far the branches of a joint with heavy atoms go, m, the farthest first; see
+  /// HarmonicForce::reaches(). Empty without such atoms.
   [[nodiscard]] std::span<const double> reaches(std::size_t joint) const {
     return branches_[joint].reaches;
   }
@@ -97,9 +99,9 @@ class BalanceEquations {
   [[nodiscard]] double miss(const Tie& tie) const;
   [[nodiscard]] Eigen::RowVectorXd miss_gradient(const Tie& tie) const;
   /// For each joint in turn: the number of branches of its motion, and the number of them on which
-  /// each atom slips, by rising slip force.
+  /// each heavy atom slips, by rising slip force.
   [[nodiscard]] std::vector<std::size_t> slipping() const;
-  /// Whether an atom starts or ceases to slip from one such state to the other. Inner loops that
+  /// Whether a heavy atom starts or ceases to slip from one such state to the other. Inner loops that
   /// appear or vanish change a joint's numbers too, but not the derivatives: such joints do not
   /// count.
   [[nodiscard]] bool slips_otherwise(const std::vector<std::size_t>& one,
@@ -166,7 +168,8 @@ class BalanceEquations {
     std::vector<double> reaches;
     Eigen::MatrixXd gradients;  // one column per branch
   };
-  std::vector<Branches> branches_;  // of each joint; none without atoms
+  std::vector<std::vector<double>> atoms_;  // heavy ones of each joint, N
+  std::vector<Branches> branches_;          // of each joint; none without such atoms
   struct Turns {
     std::vector<HarmonicForce::Turn> at;
     Eigen::MatrixXd gradients;  // of the displacements, one column per turn

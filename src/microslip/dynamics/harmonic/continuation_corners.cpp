@@ -7,7 +7,7 @@
 #include "microslip/dynamics/harmonic/continuation.hpp"
 
 /// @file
-/// The corners of a curve, where an atom starts or ceases to slip on a branch of a joint's motion,
+/// The corners of a curve, where a heavy atom starts or ceases to slip on a branch of a joint's motion,
 /// or where two of its maxima become equal, so that inner and outer loop change places. The
 /// equations are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ with g
 /// the gradient of the extent of the branch, or of the difference of the maxima. The curve arrives
@@ -40,7 +40,7 @@ void Continuation::add_neighbours(Point& point) const {
   const VectorXd rate = point.scale.cwiseProduct(point.onward.tangent);
   std::size_t first = 0;  // number of the joint
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    const std::vector<double>& slip_force = joints[j].joint.density().atoms().slip_force;
+    const std::vector<double>& slip_force = equations_.atoms(j);
     const auto counts = point.slipping.begin() + static_cast<std::ptrdiff_t>(first) + 1;
     for (std::size_t rank = 0; rank < equations_.reaches(j).size(); ++rank) {
       std::size_t next = 0;

@@ -2,12 +2,15 @@
 #include "microslip/dynamics/structure/density_corners.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <variant>
 
 namespace microslip {
 namespace {
 
 constexpr std::size_t kMostCorners = 16;
+/// Of the weight of all atoms.
+constexpr double kHeavy = 1.0 / 128.0;
 
 /// Where a part of a density jumps, but for s = 0.
 struct Jumps {
@@ -44,6 +47,16 @@ std::vector<Corner> corners_of(const SlipDensity& density) {
   }
   std::ranges::stable_sort(corners, {}, &Corner::slip_force);
   return corners;
+}
+
+std::vector<double> heavy_atoms(const SlipDensity& density) {
+  const AtomsPart& atoms = density.atoms();
+  const double all = std::accumulate(atoms.weight.begin(), atoms.weight.end(), 0.0);
+  std::vector<double> heavy;
+  for (std::size_t i = 0; i < atoms.weight.size(); ++i) {
+    if (atoms.weight[i] > kHeavy * all) heavy.push_back(atoms.slip_force[i]);
+  }
+  return heavy;
 }
 
 bool has_many_atoms(const JointedStructure& structure) {
