@@ -180,6 +180,38 @@ TEST(Units, SpellingsOfLaboratoriesAreKnown) {
   }
 }
 
+// Conversions of NIST SP 811 (2008), appendix B.8, to the digits given there.
+TEST(Units, OthersOfLaboratoriesAreKnown) {
+  const std::vector<Case> cases{
+      {"klbm", 453.59237, kMass},
+      {"oz", 0.028349523125, kMass},
+      {"slug", 14.59390, kMass},
+      {"Mg", 1000.0, kMass},
+      {"ips", 0.0254, kVelocity},
+      {"mG", 9.80665e-3, kAcceleration},
+      {"Gal", 0.01, kAcceleration},
+      {"tonf", 8896.443, kForce},
+      {"tf", 9806.65, kForce},
+      {"ozf", 0.2780139, kForce},
+      {"pounds", 4.448222, kForce},
+      {"dyn", 1e-5, kForce},
+      {"psf", 47.88026, kPressure},
+      {"uin", 2.54e-8, kLength},
+      {"ft-lb", 1.355818, kEnergy},
+      {"lb-in", 0.1129848, kEnergy},
+      {"oz-in", 7.061552e-3, kEnergy},
+      {"lb/in", 175.1268, kStiffness},
+      {"lb/in^3", 27679.90, kMassDensity},
+      {"lbm/in", 17.85797, kMass / kLength},
+  };
+  for (const Case& c : cases) {
+    const auto unit = find_unit(c.text);
+    ASSERT_TRUE(unit) << c.text;
+    EXPECT_NEAR(unit->factor(), c.factor, 1e-6 * c.factor) << c.text;
+    EXPECT_EQ(unit->dimension, c.dimension) << c.text;
+  }
+}
+
 // A capital tells mega from milli: of units with such prefixes it counts.
 TEST(Units, PrefixesAreToldApartByCapitals) {
   EXPECT_EQ(find_unit("mN")->factor(), 1e-3);
@@ -218,11 +250,10 @@ TEST(Units, PowersOfTenAreExact) {
 }
 
 TEST(Units, UnknownOnesAreRefused) {
-  for (const char* text : {"",        " ",    "furlong", "kkg",   "mkg",
-                           "mmm",     "/",    "1/",      "/s",    "m^",
-                           "m^0",     "m^99", "m--2",    "m-",    "-m",
-                           "in--lbf", "kkip", "N//m",    "m***2", "12",
-                           "\xB5m",   "\xFF", "Mg",      "kin",   "m^9999999999999999999"}) {
+  for (const char* text :
+       {"",     " ",    "furlong", "kkg",  "mkg",   "mmm",  "/",   "1/",
+        "/s",   "m^",   "m^0",     "m^99", "m--2",  "m-",   "-m",  "in--lbf",
+        "kkip", "N//m", "m***2",   "12",   "\xB5m", "\xFF", "kin", "m^9999999999999999999"}) {
     EXPECT_FALSE(find_unit(text)) << text;
   }
   EXPECT_FALSE(find_unit(std::string(100000, 'm')));

@@ -24,18 +24,21 @@ struct Symbol {
   std::string_view prefixes;
 };
 
-constexpr double kPoundForce = 4.4482216152605;  // N, exact by definition
+constexpr double kPound = 0.45359237;            // kg, exact by definition, as the next one
+constexpr double kPoundForce = 4.4482216152605;  // N
 
 constexpr std::array kSymbols{
     Symbol{"1", 1.0, 0, kDimensionless, ""},
     Symbol{"%", 1.0, -2, kDimensionless, ""},
     Symbol{"m", 1.0, 0, kLength, "numck"},
-    Symbol{"in", 254.0, -4, kLength, ""},
+    Symbol{"in", 254.0, -4, kLength, "u"},
     Symbol{"ft", 3048.0, -4, kLength, ""},
     Symbol{"mil", 254.0, -7, kLength, ""},
     Symbol{"kg", 1.0, 0, kMass, ""},
     Symbol{"t", 1.0, 3, kMass, ""},
-    Symbol{"lb", 0.45359237, 0, kMass, ""},
+    Symbol{"lb", kPound, 0, kMass, "k"},
+    Symbol{"oz", kPound / 16.0, 0, kMass, ""},
+    Symbol{"slug", kPoundForce / 3048.0, 4, kMass, ""},
     Symbol{"s", 1.0, 0, kTime, "num"},
     Symbol{"min", 60.0, 0, kTime, ""},
     Symbol{"h", 3600.0, 0, kTime, ""},
@@ -43,19 +46,28 @@ constexpr std::array kSymbols{
     Symbol{"rpm", 1.0 / 60.0, 0, kFrequency, ""},
     Symbol{"rad", 1.0, 0, kAngle, "um"},
     Symbol{"deg", std::numbers::pi / 180.0, 0, kAngle, ""},
-    Symbol{"N", 1.0, 0, kForce, "numkMG"},
+    Symbol{"ips", 254.0, -4, kVelocity, ""},
+    Symbol{"fps", 3048.0, -4, kVelocity, ""},
+    Symbol{"N", 1.0, 0, kForce, "numckMG"},
+    Symbol{"dyn", 1.0, -5, kForce, ""},
     Symbol{"daN", 1.0, 1, kForce, ""},
     Symbol{"kgf", kStandardGravity, 0, kForce, ""},
     Symbol{"kp", kStandardGravity, 0, kForce, ""},
     Symbol{"lbf", kPoundForce, 0, kForce, "k"},
     Symbol{"kip", kPoundForce, 3, kForce, ""},
+    Symbol{"ozf", kPoundForce / 16.0, 0, kForce, ""},
+    Symbol{"tonf", 2.0 * kPoundForce, 3, kForce, ""},  // NIST SP 811: of 2000 lb
+    Symbol{"tf", kStandardGravity, 3, kForce, ""},
     Symbol{"J", 1.0, 0, kEnergy, "numkM"},
     Symbol{"Pa", 1.0, 0, kPressure, "mkMG"},
     Symbol{"bar", 1.0, 5, kPressure, "m"},
+    Symbol{"hPa", 1.0, 2, kPressure, ""},
+    Symbol{"psf", kPoundForce / (3048.0 * 3048.0), 8, kPressure, ""},
     Symbol{"psi", kPoundForce / (254.0 * 254.0), 8, kPressure, ""},
     Symbol{"ksi", kPoundForce / (254.0 * 254.0), 11, kPressure, ""},
     Symbol{"strain", 1.0, 0, kDimensionless, "um"},
     Symbol{"g", kStandardGravity, 0, kAcceleration, "um"},
+    Symbol{"Gal", 1.0, -2, kAcceleration, "um"},
 };
 
 /// Other spellings of a unit, as testing machines, loggers and spreadsheets write them. A load in
@@ -107,7 +119,13 @@ constexpr std::array kSpellings{
     Spelling{"deg", "deg"},        Spelling{"degree", "deg"},
     Spelling{"degrees", "deg"},    Spelling{"radian", "rad"},
     Spelling{"radians", "rad"},    Spelling{"microstrain", "ustrain"},
-    Spelling{"percent", "%"},
+    Spelling{"percent", "%"},      Spelling{"klbm", "klb"},
+    Spelling{"pound", "lbf"},      Spelling{"pounds", "lbf"},
+    Spelling{"mG", "mg"},          Spelling{"Mg", "t"},
+    Spelling{"tonne", "t"},        Spelling{"tonnes", "t"},
+    Spelling{"slugs", "slug"},     Spelling{"rps", "Hz"},
+    Spelling{"ue", "ustrain"},     Spelling{"psf", "psf"},
+    Spelling{"ips", "ips"},        Spelling{"tonf", "tonf"},
 };
 
 /// Units of quantities that are not mechanical.
@@ -265,6 +283,7 @@ class UnitParser {
       const int sign = read_operator();
       if (!read_factor(sign)) return std::nullopt;
     }
+    if (has_pound_) read_pound_as_force();
     if (std::abs(exponent_) > 300) return std::nullopt;
     (exponent_ < 0 ? unit_.denominator : unit_.numerator) *= std::pow(10.0, std::abs(exponent_));
     return unit_;
@@ -295,8 +314,17 @@ class UnitParser {
       return true;
     }
     if (!symbol) return false;
+    const std::string small = in_small_letters(name);
+    if (small == "lb" || small == "oz" || small == "lb." || small == "oz.") has_pound_ = true;
     multiply(*symbol, sign * *power);
     return true;
+  }
+
+  /// A pound over an inch is the force of a spring, a foot-pound one of a torque.
+  void read_pound_as_force() {
+    if (unit_.dimension != kMass * kLength && unit_.dimension != kMass / kLength) return;
+    unit_.numerator *= kStandardGravity;
+    unit_.dimension = unit_.dimension * kAcceleration;
   }
 
   void multiply(const Symbol& symbol, int power) {
@@ -353,6 +381,7 @@ class UnitParser {
   std::string_view text_;
   Unit unit_;
   int exponent_ = 0;
+  bool has_pound_ = false;  ///< or an ounce, by a name that is one of a force, too
 };
 
 /// cycles/s and rev/min: so many of something in a time.
