@@ -16,6 +16,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/documents/levels/listed_units.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/mat/mat_value.hpp"
 
@@ -153,16 +154,11 @@ std::string field_of(const std::vector<std::string>& fields,
   return found == fields.end() ? std::string() : *found;
 }
 
-/// "Hz", "g/N" and "g" of "Hz, g/N, g".
-std::array<std::string, 3> split_units(const std::string& text, const std::string& place) {
-  std::array<std::string, 3> units;
-  std::string_view rest = text;
-  for (std::string& unit : units) {
-    const std::size_t end = std::min(rest.find(','), rest.size());
-    unit = trimmed(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  if (!units[2].empty() && trimmed(rest).empty()) return units;
+/// Three units of a text.
+std::vector<std::string> split_units(const std::string& text, const std::string& place) {
+  constexpr std::size_t kUnits = 3;
+  std::vector<std::string> units = listed_units(text);
+  if (units.size() == kUnits) return units;
   throw InputError(place, in_quotes(text),
                    "must be units of frequency, frequency response and response between commas",
                    "\"Hz, g/N, g\", for instance.");
@@ -215,7 +211,7 @@ SteppedSine read_response_sweep(const std::string& file, const std::string& vari
   const auto path = [&](const auto& names) {
     return fmt::format("{}.{}", variable, field_of(fields, names));
   };
-  std::array<std::string, 3> units{"Hz", "m/s^2/N", "m/s^2"};
+  std::vector<std::string> units{"Hz", "m/s^2/N", "m/s^2"};
   const std::string place = fmt::format("{}: {}", file, variable);
   if (!field_of(fields, kUnitFields).empty()) {
     units = split_units(read_mat_text(file, path(kUnitFields)), place + ".units");

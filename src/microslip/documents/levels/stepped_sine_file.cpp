@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/documents/levels/listed_units.hpp"
 #include "microslip/documents/levels/response_sweep.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
@@ -92,17 +93,16 @@ std::array<Unit, 4> units_of(const PartOfFile& part, const std::string& variable
                      reason);
   };
   std::array<Unit, 4> units;
-  std::string_view rest = text;
+  std::vector<std::string> listed = listed_units(text);
+  if (listed.size() > units.size()) fail("There are more than four.");
+  listed.resize(units.size());
   for (std::size_t i = 0; i < units.size(); ++i) {
-    const std::size_t end = std::min(rest.find(','), rest.size());
     try {
-      units[i] = parse_unit(trimmed(rest.substr(0, end)), kDimensions[i]);
+      units[i] = parse_unit(listed[i], kDimensions[i]);
     } catch (const InputError& error) {
       fail(error.what());
     }
-    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  if (!trimmed(rest).empty()) fail("There are more than four.");
   return units;
 }
 
