@@ -102,6 +102,15 @@ TEST(Help, IsForShortOptionsToo) {
   EXPECT_EQ(expect_done(box, {"-h"}).out, expect_done(box, {"--help"}).out);
 }
 
+TEST(Help, IsASubcommandToo) {
+  const Sandbox box;
+  EXPECT_EQ(expect_done(box, {"help"}).out, expect_done(box, {"--help"}).out);
+  EXPECT_EQ(expect_done(box, {"help", "frf"}).out, expect_done(box, {"frf", "--help"}).out);
+  const Outcome unknown = box.run({"help", "frff"});
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("did you mean frf?"), std::string::npos) << unknown.err;
+}
+
 /// A decay as two accelerometers see it.
 std::string seen_twice(const std::string& decay) {
   std::istringstream lines(decay);

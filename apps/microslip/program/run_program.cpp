@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include <array>
 #include <cerrno>
@@ -62,9 +63,9 @@ std::string quoted(std::string_view argument) {
   return text + "'";
 }
 
-std::string command_line(int argc, char** argv) {
+std::string command_line(const std::vector<char*>& arguments) {
   std::string text = "microslip";
-  for (int i = 1; i < argc; ++i) text += " " + quoted(argv[i]);
+  for (std::size_t i = 1; i < arguments.size(); ++i) text += " " + quoted(arguments[i]);
   return text;
 }
 
@@ -183,9 +184,28 @@ void occupy_closed_streams() {
   }
 }
 
-int parse_and_run(CLI::App& program, Call& call, int argc, char** argv) {
+/// `microslip help [COMMAND]` is `microslip [COMMAND] --help`.
+bool takes_help(std::vector<char*>& arguments) {
+  const bool takes = arguments.size() > 1 && std::string_view(arguments[1]) == "help";
+  if (takes) arguments.erase(arguments.begin() + 1);
+  return takes;
+}
+
+/// A name that is no subcommand stands alone, so that it is named.
+void add_help(const CLI::App& program, std::vector<char*>& arguments) {
+  static std::string option = "--help";
+  const auto known = program.get_subcommands({});
+  const bool unknown =
+      arguments.size() > 1 && std::ranges::none_of(known, [&](const CLI::App* command) {
+        return command->get_name() == arguments[1];
+      });
+  arguments.resize(std::min<std::size_t>(arguments.size(), 2));
+  if (!unknown) arguments.push_back(option.data());
+}
+
+int parse_and_run(CLI::App& program, Call& call, std::vector<char*>& arguments) {
   try {
-    program.parse(argc, argv);
+    program.parse(static_cast<int>(arguments.size()), arguments.data());
   } catch (const CLI::Success& success) {
     const int status = program.exit(success);  // --help, --version
     finish_printed();
@@ -217,9 +237,12 @@ int run_program(int argc, char** argv, Call& call, std::unique_ptr<CLI::App> (*m
   // disk.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   try {
-    call.command_line = command_line(argc, argv);
+    std::vector<char*> arguments(argv, argv + argc);
+    const bool is_help = takes_help(arguments);
+    call.command_line = command_line(arguments);
     const std::unique_ptr<CLI::App> program = make(call);
-    return parse_and_run(*program, call, argc, argv);
+    if (is_help) add_help(*program, arguments);
+    return parse_and_run(*program, call, arguments);
   } catch (const InputError& error) {
     return complain(kInputAtFault, error.what());
   } catch (const FormatError& error) {
