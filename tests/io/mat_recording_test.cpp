@@ -66,6 +66,9 @@ std::vector<double> doubles_of(const matvar_t* variable) {
 
 std::string text_of(const matvar_t* variable) {
   if (variable == nullptr) return "missing";
+  if (variable->data_type == MAT_T_UTF8) {  // Scilab keeps the first letter of any other
+    return {static_cast<const char*>(variable->data), variable->nbytes};
+  }
   const auto* units = static_cast<const std::uint16_t*>(variable->data);
   return {units, units + variable->nbytes / sizeof(std::uint16_t)};
 }

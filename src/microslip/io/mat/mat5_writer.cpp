@@ -56,7 +56,14 @@ Mat5Array Mat5Array::text(std::string_view utf8, const std::string& place) {
   Mat5Array array;
   array.class_ = mat5::kCharClass;
   array.sizes_ = {units->empty() ? std::size_t{0} : 1, units->size()};
-  array.text_ = std::move(*units);
+  // Scilab keeps one letter of a text in UTF-16; of UTF-8 readers count letters or bytes, which are
+  // the same in ASCII alone.
+  if (units->size() == utf8.size()) {
+    array.text_ = utf8;
+  } else {
+    array.text_type_ = mat5::kUint16;
+    array.text_.assign(reinterpret_cast<const char*>(units->data()), 2 * units->size());
+  }
   return array;
 }
 
@@ -88,7 +95,7 @@ std::size_t Mat5Array::bytes(std::string_view name) const {
   std::size_t sum = element_of(8) + element_of(8) + element_of(name.size());  // flags, sizes, name
   switch (class_) {
     case mat5::kCharClass:
-      return sum + element_of(2 * text_.size());
+      return sum + element_of(text_.size());
     case mat5::kStructClass:
       sum += kTag + element_of(kFieldName * fields_.size());  // the length is in its tag
       [[fallthrough]];
@@ -135,7 +142,7 @@ class Mat5Output {
  private:
   void content(const Mat5Array& array) {
     if (array.class_ == mat5::kCharClass) {
-      element(mat5::kUint16, bytes_of(std::span<const char16_t>(array.text_)));
+      element(array.text_type_, array.text_);
     } else if (array.class_ == mat5::kDoubleClass) {
       element(mat5::kDoubleNumbers,
               bytes_of(array.number_ ? std::span<const double>(&*array.number_, 1) : array.real_));

@@ -51,7 +51,8 @@ class Mat5Array {
   std::span<const double> real_;
   std::span<const double> imaginary_;
   std::optional<double> number_;
-  std::u16string text_;
+  std::string text_;  ///< bytes, as text_type_ has them
+  mat5::Type text_type_ = mat5::kUtf8;
   std::vector<std::string_view> fields_;
   std::vector<Mat5Array> children_;
 };
