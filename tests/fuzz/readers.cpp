@@ -336,12 +336,13 @@ void read_words(const std::string& text, MemoryFile& /*file*/) {
 }
 
 constexpr std::array kReaders{
-    Reader{"csv", read_recording},   Reader{"tables", read_tables},
-    Reader{"uff", read_universal},   Reader{"mat", read_matlab},
-    Reader{"hdf5", read_hdf5},       Reader{"parcel", read_parcel},
-    Reader{"json", read_json},       Reader{"toml", read_toml},
-    Reader{"matrix", read_matrices}, Reader{"mesh", read_mesh_file},
-    Reader{"journal", read_journal}, Reader{"words", read_words},
+    Reader{"csv", read_recording},     Reader{"tables", read_tables},
+    Reader{"uff", read_universal},     Reader{"mat", read_matlab},
+    Reader{"hdf5", read_hdf5},         Reader{"parcel", read_parcel},
+    Reader{"json", read_json},         Reader{"toml", read_toml},
+    Reader{"matrix", read_matrices},   Reader{"mesh", read_mesh_file},
+    Reader{"journal", read_journal},   Reader{"words", read_words},
+    Reader{"loggers", read_recording},
 };
 
 }  // namespace

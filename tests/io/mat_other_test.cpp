@@ -66,6 +66,28 @@ class MatOther : public testing::Test {
   std::string path_ = folder_.file("a.mat");
 };
 
+// The times are what was measured; the rate may be of another file.
+TEST_F(MatOther, WarnsOfARateThatItsTimesContradict) {
+  for (const double rate : {100.0, 99.5, 50.0}) {
+    {
+      OtherMat file(path_);
+      file.add("time", {0.0, 0.01, 0.02, 0.03}, 4);
+      file.add("fs", {rate}, 1);
+      file.add("acc", {1.0, 2.0, 3.0, 4.0}, 4);
+    }
+    const Recordings read = read_recordings_mat(path_);
+    if (rate == 50.0) {
+      EXPECT_NEAR(read.recordings.at(0).axis.step, 0.01, 1e-15);
+      ASSERT_EQ(read.warnings.size(), 1U);
+      EXPECT_EQ(read.warnings[0].code, "rate_contradicts");
+      EXPECT_NE(read.warnings[0].text.find("100 Hz, and the file states 50 Hz"), std::string::npos)
+          << read.warnings[0].text;
+    } else {
+      EXPECT_TRUE(read.warnings.empty()) << rate;
+    }
+  }
+}
+
 // Each time is off by half a unit in the last place of a float, up to 2.4e-7 s beyond 4 s: even
 // steps of 1 ms explain them.
 TEST_F(MatOther, TakesTimesInSinglePrecision) {

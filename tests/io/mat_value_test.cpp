@@ -139,7 +139,7 @@ TEST(MatValue, RefusesWhatIsNoMatFile) {
   test::put(path, "time [s],force [N]\n1,2\n");
   EXPECT_EQ(message_of<FormatError>([&] { return read_mat_numbers(path, "x"); }),
             path +
-                ": expected a MAT file of MATLAB, version 5 or 7.3, found a file that starts "
+                ": expected a MAT file of MATLAB, version 4, 5 or 7.3, found a file that starts "
                 "'time [s],force [N]\\x0A1…' (23 bytes). In MATLAB: save('name.mat', ..., '-v7').");
   EXPECT_NE(message_of<FileError>([&] {
               return mat_fields(folder.file("b.mat"), "");

@@ -83,6 +83,23 @@ std::string mat4_head() {
   return head + std::string("time\0", 5) + std::string(800, '\x3F');
 }
 
+TEST(RecordingFormat, KnowsFilesOfDataLoggersAndOfOctave) {
+  EXPECT_EQ(format_of("TDSm\x0E\0\0\0"s), RecordingFormat::kTdms);
+  EXPECT_EQ(format_of("LabVIEW Measurement\t\r\n"), RecordingFormat::kLvm);
+  EXPECT_EQ(format_of("RIFF\x24\0\0\0WAVEfmt "s), RecordingFormat::kWav);
+  EXPECT_EQ(format_of("# Created by Octave 7.3.0\n# name: x\n"), RecordingFormat::kMat);
+  EXPECT_EQ(format_of(mat4_head()), RecordingFormat::kMat);
+}
+
+// They are read alone.
+TEST(RecordingFormat, WritesNoFilesOfDataLoggers) {
+  const test::TemporaryFolder folder;
+  EXPECT_NE(message_of<InputError>([&] {
+              write(folder.file("a.tdms"), {sample()}, RecordingFormat::kTdms);
+            }).find("a TDMS file of LabVIEW"),
+            std::string::npos);
+}
+
 // What laboratories bring and is not read is named, with the way out.
 TEST(RecordingFormat, NamesFormatsOfLaboratories) {
   struct Case {
@@ -91,20 +108,15 @@ TEST(RecordingFormat, NamesFormatsOfLaboratories) {
     std::string remedy;
   };
   const std::vector<Case> cases{
-      {"TDSm\x0E\0\0\0"s, "a TDMS file of LabVIEW", "as_hdf"},
-      {"LabVIEW Measurement\t\r\n", "an LVM file of LabVIEW", "Save it as CSV"},
       {"MDF     4.10    ", "an MDF file (ASAM)", "asammdf"},
       {"BZh11AY&SY\x5C", "a bzip2 archive", "Unpack it first"},
       {"BZh91AY&SY\x5C", "a bzip2 archive", "Unpack it first"},
-      {"RIFF\x24\0\0\0WAVEfmt "s, "a WAV file", "no unit"},
       {"\x93NUMPY\x01\0v\0{"s, "an NPY file of NumPy", "savemat"},
       {"CDF\x01\0\0\0\0"s, "a netCDF-3 file", "nccopy -k nc4"},
       {"\x0E\x03\x13\x01", "an HDF4 file", "h4toh5"},
-      {"# Created by Octave 7.3.0\n# name: x\n", "a text file of Octave", "save -v7"},
       {"Octave-1-L\0"s, "a binary file of Octave", "save -v7"},
       {"PK\x03\x04", "a ZIP archive or a spreadsheet", "as CSV"},
       {"PAR1\x15", "a Parquet file", "to_csv"},
-      {mat4_head(), "a MAT file of version 4", "save -v7"},
   };
   for (const Case& c : cases) {
     const std::string message = message_of<FormatError>([&] { return format_of(c.head); });

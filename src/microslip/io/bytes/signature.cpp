@@ -41,12 +41,9 @@ constexpr std::array kBinary{
               "Save it as CSV."},
     Signature{"\xFF\xFE"sv, "UTF-16 text", "Save it as UTF-8."},
     Signature{"\xFE\xFF"sv, "UTF-16 text", "Save it as UTF-8."},
-    Signature{"TDSm"sv, "a TDMS file of LabVIEW",
-              "Export it to HDF5 (npTDMS: TdmsFile.read(FILE).as_hdf(OUT)), MATLAB or CSV."},
+    Signature{"TDSm"sv, "a TDMS file of LabVIEW"},
     Signature{"TDSh"sv, "an index of a TDMS file of LabVIEW", "Export the .tdms beside it."},
-    Signature{"LabVIEW Measurement"sv, "an LVM file of LabVIEW",
-              "Save it as CSV, or delete what stands above the line of names, and give that units: "
-              "'time [s]'."},
+    Signature{"LabVIEW Measurement"sv, "an LVM file of LabVIEW"},
     Signature{"MDF     "sv, "an MDF file (ASAM)",
               "Export it to MATLAB (v7.3) or CSV, with asammdf for instance."},
     Signature{"UnFinMF "sv, "an MDF file (ASAM) that was not closed",
@@ -63,16 +60,13 @@ constexpr std::array kBinary{
     Signature{"ARROW1"sv, "an Arrow or Feather file",
               "pandas: read_feather(FILE).to_csv(OUT, index=False)."},
     Signature{"SQLite format 3"sv, "an SQLite database", "Export the table as CSV."},
-    Signature{"# Created by Octave"sv, "a text file of Octave",
-              "In Octave: load it, and save -v7 FILE."},
+    Signature{"# Created by Octave"sv, "a text file of Octave"},
     Signature{"Octave-1-"sv, "a binary file of Octave", "In Octave: load it, and save -v7 FILE."},
 };
 
-constexpr Signature kWav{"", "a WAV file",
-                         "Its values have no unit. Save them with units: CSV, or MATLAB (v7)."};
+constexpr Signature kWav{"", "a WAV file"};
 constexpr Signature kBzip2{"", "a bzip2 archive", kUnpack};
-constexpr Signature kMat4{"", "a MAT file of version 4",
-                          "In MATLAB or Octave: load it, and save -v7 FILE."};
+constexpr Signature kMat4{"", "a MAT file of version 4"};
 
 /// After blanks and line breaks.
 constexpr std::array kTextSignatures{

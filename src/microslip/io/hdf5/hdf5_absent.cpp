@@ -18,6 +18,10 @@ Recordings read_recordings_hdf5(const std::string& path, const RecordingReadOpti
   refuse_hdf5(path);
 }
 
+Hdf5Recordings read_hdf5_file(const std::string& path, const RecordingReadOptions& /*options*/) {
+  refuse_hdf5(path);
+}
+
 void write_recordings_hdf5(const std::string& path, std::span<const Recording> /*recordings*/) {
   refuse_hdf5(path);
 }

@@ -4,17 +4,18 @@
 #include <string>
 
 #include "microslip/base/progress.hpp"
+#include "microslip/io/hdf5/hdf5_reader.hpp"
 #include "microslip/io/recordings/mat_tree.hpp"
-#include "microslip/io/recordings/recordings.hpp"
 
 /// @file
 /// Files of HDF5, read where they are asked for: in a process that may crash, see hdf5_reader.hpp.
 
 namespace microslip {
 
-/// All recordings of a file. @throws FormatError, InputError  as read_recordings_hdf5().
-[[nodiscard]] Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
-                                         const Progress& progress);
+/// All recordings of a file, or the variables of Octave's save -hdf5.
+/// @throws FormatError, InputError  as read_recordings_hdf5().
+[[nodiscard]] Hdf5Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
+                                             const Progress& progress);
 
 /// The variables of a MATLAB file of version 7.3, which is one of HDF5.
 /// @throws FormatError  as read_mat_tree().

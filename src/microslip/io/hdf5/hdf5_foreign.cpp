@@ -180,10 +180,6 @@ class ForeignReader {
   void read_group(hid_t group, const std::string& inside, Sampling sampling, int depth) {
     const std::string place = fmt::format("{}:{}", path_, inside.empty() ? "/" : inside);
     if (depth > kDeepestGroup || !visit(group)) return;
-    if (H5Aexists(group, "OCTAVE_NEW_FORMAT") > 0) {
-      throw FormatError({.file = place}, "a group of datasets", "a variable of Octave's save -hdf5",
-                        "In Octave: load it, and save -v7 FILE.");
-    }
     std::vector<Dataset> datasets;
     std::vector<std::pair<std::string, Hdf5Handle>> groups;
     sampling = sampling_of(group, sampling, place);
@@ -288,7 +284,10 @@ class ForeignReader {
                             const std::string& place, const Sampling& sampling) {
     const std::size_t count = points.size();
     try {
-      return {axis_of_points({std::move(points), unit, usual, place}, sampling.step)};
+      PointsOrFault read{axis_of_points({std::move(points), unit, usual, place}, sampling.step)};
+      auto warning = contradicting_rate(read.points, sampling.step, name, path_);
+      if (warning) result_.warnings.push_back(*std::move(warning));
+      return read;
     } catch (const InputError& error) {
       if (!axis_fault_) axis_fault_ = error;
       return {{.axis = {}, .points = count}, points_of_unknown_unit(name, unit)};

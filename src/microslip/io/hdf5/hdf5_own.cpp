@@ -104,19 +104,30 @@ class OwnReader {
   Hdf5Progress& progress_;
 };
 
+/// Its save -hdf5 marks the group of each variable.
+bool is_of_octave(hid_t file, const std::string& path) {
+  const std::vector<std::string> names = hdf5_members(file, path);
+  if (names.empty()) return false;
+  const Hdf5Handle first = open_hdf5_object(file, names.front());
+  return first.valid() && is_octave_variable(first.id());
+}
+
 }  // namespace
 
-Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
-                           const Progress& on_progress) {
+Hdf5Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
+                               const Progress& on_progress) {
   const Hdf5Handle file = open_hdf5(path);
+  if (is_of_octave(file.id(), path)) {
+    return {.variables = mat73_tree(path, {.progress = on_progress}), .of_octave = true};
+  }
   Hdf5Progress progress(file.id(), on_progress);
   if (hdf5_text(file.id(), "schema", path) != kRecordingSchema) {
-    return read_foreign_hdf5(file.id(), path, progress, allow_untimed);
+    return {.recordings = read_foreign_hdf5(file.id(), path, progress, allow_untimed)};
   }
-  Recordings result;
+  Hdf5Recordings result;
   OwnReader reader(path, progress);
   for (const std::string& name : hdf5_members(file.id(), path)) {
-    result.recordings.push_back(reader.read(file.id(), name));
+    result.recordings.recordings.push_back(reader.read(file.id(), name));
   }
   return result;
 }

@@ -68,10 +68,10 @@ std::string find_hdf5_reader() {
                               MICROSLIP_LIBEXEC_DIR, kVariable));
 }
 
-Recordings read_hdf5_recordings(const std::string& path, bool allow_untimed,
-                                const Progress& progress) {
+Hdf5Recordings read_hdf5_recordings(const std::string& path, bool allow_untimed,
+                                    const Progress& progress) {
   const char* content = allow_untimed ? "untimed_recordings" : "recordings";
-  return read_in_process<Recordings>(call(content, path), path, progress);
+  return read_in_process<Hdf5Recordings>(call(content, path), path, progress);
 }
 
 RawSamples read_hdf5_joint_samples(const std::string& path) {

@@ -259,6 +259,24 @@ std::vector<std::vector<double>> read_hdf5_columns(hid_t dataset, const std::str
   return columns;
 }
 
+bool is_octave_variable(hid_t group) { return H5Aexists(group, "OCTAVE_NEW_FORMAT") > 0; }
+
+std::string hdf5_text_of_dataset(hid_t dataset, const std::string& place) {
+  constexpr std::size_t kLongest = 4096;
+  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+  const bool is_text = H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) == 0;
+  const std::size_t size = is_text ? H5Tget_size(type.id()) : 0;
+  if (size == 0 || size > kLongest || H5Sget_simple_extent_npoints(space.id()) != 1) {
+    fail_hdf5(place, "a text");
+  }
+  std::string text(size, '\0');
+  if (H5Dread(dataset, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0) {
+    fail_hdf5(place, "a text");
+  }
+  return text.c_str();
+}
+
 std::optional<std::string> hdf5_text(hid_t object, const char* name, const std::string& place) {
   if (!has_attribute(object, name, place)) return std::nullopt;
   return read_attribute(object, name, place).text;

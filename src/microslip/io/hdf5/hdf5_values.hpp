@@ -44,6 +44,12 @@ void read_hdf5_complex(hid_t dataset, std::vector<double>& real, std::vector<dou
 /// memory is made ready for them. @return their number.
 std::size_t check_hdf5_storage(hid_t dataset, const std::string& place);
 
+/// Whether Octave's save -hdf5 wrote this group: it has a dataset `type` and a value.
+[[nodiscard]] bool is_octave_variable(hid_t group);
+
+/// A text of fixed length in a dataset. @throws FormatError  where it is none.
+[[nodiscard]] std::string hdf5_text_of_dataset(hid_t dataset, const std::string& place);
+
 /// Nothing where there is no such attribute, or not one text or number.
 [[nodiscard]] std::optional<std::string> hdf5_text(hid_t object, const char* name,
                                                    const std::string& place);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <set>
 #include <utility>
 
@@ -30,6 +31,7 @@ struct SparseNames {
 };
 constexpr SparseNames kOfMatlab{"ir", "jc"};
 constexpr SparseNames kOfSciPy{"indices", "indptr"};
+constexpr SparseNames kOfOctave{"ridx", "cidx"};
 constexpr const char* kSparseRows = "MATLAB_sparse";
 
 /// The largest whole number up to which a double has all.
@@ -75,6 +77,9 @@ class Mat73Reader {
     const H5I_type_t type = H5Iget_type(object.id());
     if (type != H5I_GROUP && type != H5I_DATASET) fail_hdf5(place, "a group or a dataset");
     const std::string name = hdf5_text(object.id(), "MATLAB_class", place).value_or("");
+    if (type == H5I_GROUP && is_octave_variable(object.id())) {
+      return read_octave(object.id(), place, depth);
+    }
     if (type == H5I_GROUP) return read_group(object.id(), place, depth);
     MatValue value;
     value.sizes = sizes_of(object.id(), place);
@@ -111,6 +116,103 @@ class Mat73Reader {
     std::vector<std::size_t> result(sizes.rbegin(), sizes.rend());
     while (result.size() < 2) result.push_back(1);
     return result;
+  }
+
+  /// A variable of Octave: what it is, as a text, and its value, a dataset or a group.
+  MatValue read_octave(hid_t group, const std::string& place, int depth) {
+    const Hdf5Handle type_set = open_hdf5_object(group, "type");
+    const Hdf5Handle value_object = open_hdf5_object(group, "value");
+    if (!type_set.valid() || H5Iget_type(type_set.id()) != H5I_DATASET) fail_hdf5(place, "a type");
+    if (!value_object.valid()) fail_hdf5(place, "a value");
+    const std::string type = hdf5_text_of_dataset(type_set.id(), place);
+    const hid_t id = value_object.id();
+    if (H5Iget_type(id) == H5I_GROUP) return read_octave_group(id, type, place, depth);
+    if (H5Iget_type(id) != H5I_DATASET) fail_hdf5(place, "a value");
+    MatValue value;
+    const Hdf5Content content = hdf5_content(id);
+    if (type.ends_with("range")) return read_octave_range(id, place);
+    value.sizes = sizes_of(id, place);
+    const bool empty = H5Aexists(group, "OCTAVE_EMPTY_MATRIX") > 0;  // its sizes are the values
+    if (empty) value.sizes = {0, 0};
+    if (type == "string" || type == "sq_string") {
+      value.kind = MatValue::Kind::kText;
+      if (!empty) read_octave_text(id, value, place);
+    } else if (content == Hdf5Content::kReal || content == Hdf5Content::kComplex) {
+      value.kind = MatValue::Kind::kNumbers;
+      if (!empty) read_numbers(id, value, place);
+    } else {
+      value.kind = MatValue::Kind::kOther;
+      value.other = fmt::format("a value of the type {}", in_quotes(type));
+    }
+    return value;
+  }
+
+  MatValue read_octave_group(hid_t group, const std::string& type, const std::string& place,
+                             int depth) {
+    if (type.starts_with("sparse ")) {
+      MatValue value = read_sparse(group, kOfOctave, place);
+      value.sizes = {sparse_rows_of_octave(group, place), value.column_start.size() - 1};
+      return checked(std::move(value), place);
+    }
+    if (type == "scalar struct") return read_struct(group, place, depth);
+    MatValue value;
+    value.sizes = {1, 1};
+    if (type == "cell") {
+      value.kind = MatValue::Kind::kCell;
+      for (std::size_t i = 0; has_member(group, fmt::format("_{}", i).c_str()); ++i) {
+        const std::string name = fmt::format("_{}", i);
+        value.children.push_back(
+            read_object(open_hdf5_object(group, name), place + "/" + name, depth + 1));
+      }
+      value.sizes = {1, value.children.size()};
+      return value;
+    }
+    value.kind = MatValue::Kind::kOther;
+    value.other = fmt::format("a value of the type {}", in_quotes(type));
+    return value;
+  }
+
+  static std::size_t sparse_rows_of_octave(hid_t group, const std::string& place) {
+    const std::vector<std::int64_t> rows = read_indices(group, "nr", place);
+    if (rows.size() != 1) fail_hdf5(place, "a number of rows");
+    return static_cast<std::size_t>(rows.front());
+  }
+
+  /// Base, limit and increment, of any type of numbers.
+  static MatValue read_octave_range(hid_t dataset, const std::string& place) {
+    struct Range {
+      double base, limit, increment;
+    };
+    const Hdf5Handle type(H5Tcreate(H5T_COMPOUND, sizeof(Range)), H5Tclose);
+    H5Tinsert(type.id(), "base", offsetof(Range, base), H5T_NATIVE_DOUBLE);
+    H5Tinsert(type.id(), "limit", offsetof(Range, limit), H5T_NATIVE_DOUBLE);
+    H5Tinsert(type.id(), "increment", offsetof(Range, increment), H5T_NATIVE_DOUBLE);
+    Range range{};
+    const bool one =
+        H5Sget_simple_extent_npoints(Hdf5Handle(H5Dget_space(dataset), H5Sclose).id()) == 1;
+    if (!one || H5Dread(dataset, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &range) < 0) {
+      fail_hdf5(place, "base, limit and increment of a range");
+    }
+    constexpr std::size_t kMost = std::size_t{1} << 27U;
+    auto value = octave_range(range.base, range.limit, range.increment, kMost);
+    if (!value) fail_hdf5(place, "a range of numbers");
+    return *std::move(value);
+  }
+
+  /// Characters of a byte, signed as C has them.
+  static void read_octave_text(hid_t dataset, MatValue& value, const std::string& place) {
+    std::vector<double> numbers;
+    if (hdf5_content(dataset) != Hdf5Content::kReal) fail_hdf5(place, "characters");
+    read_hdf5_real(dataset, numbers, place);
+    std::string bytes;
+    for (const double number : numbers) {
+      if (!(number >= -128 && number < 256)) fail_hdf5(place, "characters");
+      bytes += static_cast<char>(static_cast<int>(number));
+    }
+    const std::size_t rows = value.sizes.front();
+    std::u16string units = units_of_bytes(bytes);
+    if (rows != 1 && units.size() != bytes.size()) units.assign(bytes.begin(), bytes.end());
+    value.texts = text_rows(units, rows);
   }
 
   MatValue read_group(hid_t group, const std::string& place, int depth) {

@@ -5,6 +5,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5/hdf5_contents.hpp"
+#include "microslip/io/hdf5/hdf5_recording.hpp"
 #include "microslip/io/mat/mat_recording.hpp"
 #include "microslip/io/mat/mat_value.hpp"
 
@@ -18,6 +19,11 @@ void refuse_matlab(const std::string& path) {
 Recordings read_recordings_mat(const std::string& path, std::string_view /*variable*/,
                                const RecordingReadOptions& /*options*/) {
   refuse_matlab(path);
+}
+
+Recordings read_recordings_hdf5_or_octave(const std::string& path,
+                                          const RecordingReadOptions& options) {
+  return read_recordings_hdf5(path, options);
 }
 
 void write_recordings_mat(const std::string& path, std::span<const Recording> /*recordings*/) {

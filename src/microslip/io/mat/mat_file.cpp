@@ -7,9 +7,12 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/hdf5/hdf5_reader.hpp"
+#include "microslip/io/mat/mat4_reader.hpp"
 #include "microslip/io/mat/mat5_reader.hpp"
+#include "microslip/io/mat/octave_text_reader.hpp"
 
 namespace microslip {
 namespace {
@@ -24,12 +27,16 @@ MatTree read_any_version(const std::string& path, const MatReadOptions& options)
       (head.size() == kHeadSize && head.ends_with(kHdf5Signature))) {
     return read_mat73_tree(path, options);
   }
+  if (head.starts_with("# Created by Octave")) {
+    return parse_octave_text(read_text(path), path, options);
+  }
   MatFileStream file(path, options.progress);
   if (head.starts_with("MATLAB 5.0") ||
       (head.size() >= 128 && (head.substr(126, 2) == "IM" || head.substr(126, 2) == "MI"))) {
     return read_mat5(file, options);
   }
-  throw FormatError({.file = path}, "a MAT file of MATLAB, version 5 or 7.3",
+  if (signature(head) == "a MAT file of version 4") return read_mat4(file, options);
+  throw FormatError({.file = path}, "a MAT file of MATLAB, version 4, 5 or 7.3",
                     head.empty() ? "nothing" : "a file that starts " + in_quotes(head, 20),
                     "In MATLAB: save('name.mat', ..., '-v7').");
 }

@@ -10,7 +10,8 @@
 
 namespace microslip {
 
-/// Reads a file of version 5 (compressed or not) or 7.3; or one of HDF5 that another program wrote:
+/// Reads a file of version 4, 5 (compressed or not) or 7.3, a text file of Octave, or one of HDF5
+/// that another program wrote: variables of Octave's save -hdf5 are what they were there; else
 /// groups are structs, datasets of numbers arrays, transposed, and a group with `data`, `indices`
 /// and `indptr`, as SciPy has them, is a sparse matrix, transposed where its rows are compressed.
 /// @throws FileError    where it cannot be read.

@@ -150,7 +150,7 @@ std::size_t channels_of(const MatValue& value) {
 }
 
 /// Takes the points off the arrays, for the scope.
-void take_axis(std::vector<Array>& arrays, Scope& scope) {
+void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& warnings) {
   const auto [index, usual] = find_points(arrays);
   if (index == arrays.size()) return;
   const Array& points = arrays[index];
@@ -158,6 +158,8 @@ void take_axis(std::vector<Array>& arrays, Scope& scope) {
   scope.axis = axis_of_points(
       {points.value->real, points.unit, usual, fmt::format("{}: {}", scope.place, points.name)},
       scope.sampling.step);
+  auto warning = contradicting_rate(*scope.axis, scope.sampling.step, points.name, scope.place);
+  if (warning) warnings.push_back(*std::move(warning));
   arrays.erase(arrays.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
@@ -181,7 +183,7 @@ class Collector {
     scope.names = mat_texts(first_field(value, element, kNamesNames));
     std::vector<Array> arrays = arrays_of(value, element);
     give_units(value, element, arrays, scope.place);
-    take_axis(arrays, scope);
+    take_axis(arrays, scope, result_.warnings);
     if (!only.empty()) std::erase_if(arrays, [&](const Array& a) { return a.name != only; });
     read_arrays(arrays, scope);
     if (only.empty()) read_fields(value, element, scope);

@@ -7,6 +7,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/hdf5/hdf5_reader.hpp"
 #include "microslip/io/mat/mat_file.hpp"
 #include "microslip/io/mat/mat_foreign.hpp"
 #include "microslip/io/mat/mat_path.hpp"
@@ -139,6 +140,13 @@ Recordings read_recordings_mat(const std::string& path, std::string_view variabl
         {"file_truncated", path + ": ends within a variable, which is left out; copy it again"});
   }
   return result;
+}
+
+Recordings read_recordings_hdf5_or_octave(const std::string& path,
+                                          const RecordingReadOptions& options) {
+  Hdf5Recordings read = read_hdf5_file(path, options);
+  if (!read.of_octave) return std::move(read.recordings);
+  return recordings_of(read.variables.root, {}, path, options.allow_untimed);
 }
 
 }  // namespace microslip

@@ -59,6 +59,12 @@ namespace microslip {
                                              std::string_view variable = {},
                                              const RecordingReadOptions& options = {});
 
+/// Reads the recordings of an HDF5 file, as read_recordings_hdf5(); of variables that Octave wrote
+/// (save -hdf5) as of those of a MAT file.
+/// @throws  as these.
+[[nodiscard]] Recordings read_recordings_hdf5_or_octave(const std::string& path,
+                                                        const RecordingReadOptions& options);
+
 /// Writes recordings to a file.
 /// @param path        a staged name, see OutputFiles::stage(): it is written over.
 /// @param recordings  written in their order.

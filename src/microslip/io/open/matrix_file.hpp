@@ -7,10 +7,10 @@
 
 namespace microslip {
 
-/// A symmetric matrix of a file of Matrix Market, MATLAB (version 5 or 7.3) or HDF5; internal to
-/// io.
-/// @param path  FILE, or FILE:VARIABLE of the latter two, see part_of_file(). These have the whole
-///              matrix, full or sparse.
+/// A symmetric matrix of a file of Matrix Market, MATLAB (version 4, 5 or 7.3), Octave (text) or
+/// HDF5; internal to io.
+/// @param path  FILE, or FILE:VARIABLE of the latter three, see part_of_file(). These have the
+///              whole matrix, full or sparse.
 /// @throws FileError, FormatError, InputError  as read_matrix_market(), read_mat_entries() and
 ///                                             symmetric_of_both().
 [[nodiscard]] SymmetricEntries read_matrix_file(const std::string& path);

@@ -17,6 +17,7 @@
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/hdf5/hdf5_recording.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/loggers/logger_recording.hpp"
 #include "microslip/io/mat/mat_recording.hpp"
 #include "microslip/io/output/write_error.hpp"
 #include "microslip/io/recordings/recording_csv.hpp"
@@ -39,6 +40,13 @@ constexpr std::array kFormats{
     FormatEntry{"h5", RecordingFormat::kHdf5, "an HDF5 file"},
 };
 
+/// Formats of data loggers, which are read alone.
+constexpr std::array kLoggerFormats{
+    FormatEntry{"tdms", RecordingFormat::kTdms, "a TDMS file of LabVIEW"},
+    FormatEntry{"lvm", RecordingFormat::kLvm, "an LVM file of LabVIEW"},
+    FormatEntry{"wav", RecordingFormat::kWav, "a WAV file"},
+};
+
 struct Ending {
   std::string_view text;
   RecordingFormat format;
@@ -50,6 +58,12 @@ constexpr std::array kEndings{
     Ending{".mat", RecordingFormat::kMat},       Ending{".h5", RecordingFormat::kHdf5},
     Ending{".hdf5", RecordingFormat::kHdf5},
 };
+
+/// What the readers of MAT files take, those of Octave's text among them.
+bool is_mat(std::string_view found) {
+  return found == "a MATLAB file" || found == "a MAT file of version 4" ||
+         found == "a text file of Octave";
+}
 
 /// HDF5 may begin after 512 bytes, 1024, and so on.
 bool is_hdf5_after_other(std::string_view head) {
@@ -89,7 +103,13 @@ Recordings read_by_path(const PartOfFile& part, RecordingFormat format,
     case RecordingFormat::kMat:
       return read_recordings_mat(part.file, part.variable, options);
     case RecordingFormat::kHdf5:
-      return read_recordings_hdf5(part.file, options);
+      return read_recordings_hdf5_or_octave(part.file, options);
+    case RecordingFormat::kTdms:
+      return read_recordings_tdms(part.file, options);
+    case RecordingFormat::kLvm:
+      return read_recordings_lvm(part.file, options);
+    case RecordingFormat::kWav:
+      return read_recordings_wav(part.file, options);
     default:
       return read_recordings_uff(part.file, options);
   }
@@ -146,6 +166,11 @@ void write_format(OutputFiles& files, const std::string& path,
       return write_recordings_mat(files.stage(path, replacing), recordings);
     case RecordingFormat::kHdf5:
       return write_recordings_hdf5(files.stage(path, replacing), recordings);
+    case RecordingFormat::kTdms:
+    case RecordingFormat::kLvm:
+    case RecordingFormat::kWav:
+      throw InputError("format", recording_kind(format), "can be read, not written",
+                       "Write csv, uff, mat or h5.");
   }
 }
 
@@ -163,7 +188,9 @@ std::optional<RecordingFormat> find_recording_format_of(std::string_view head) {
   if (found == "a universal file") {
     return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
   }
-  if (found == "a MATLAB file") return RecordingFormat::kMat;
+  if (is_mat(found)) return RecordingFormat::kMat;
+  const auto* const logger = std::ranges::find(kLoggerFormats, found, &FormatEntry::kind);
+  if (logger != kLoggerFormats.end()) return logger->format;
   if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
     return RecordingFormat::kHdf5;
   }
@@ -197,6 +224,8 @@ std::optional<RecordingFormat> find_recording_format(std::string_view name) {
 }
 
 std::string_view recording_kind(RecordingFormat format) {
+  const auto* const logger = std::ranges::find(kLoggerFormats, format, &FormatEntry::format);
+  if (logger != kLoggerFormats.end()) return logger->kind;
   return std::ranges::find(kFormats, format, &FormatEntry::format)->kind;
 }
 

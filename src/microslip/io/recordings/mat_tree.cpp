@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include "microslip/io/bytes/text.hpp"
@@ -62,6 +64,23 @@ std::string checked_sparse(MatValue& value) {
       std::ranges::find_if(value.row, [&](auto row) { return row < 0 || row >= rows; });
   if (bad != value.row.end()) return fmt::format("a row {} of {}", *bad + 1, rows);
   return {};
+}
+
+std::optional<MatValue> octave_range(double base, double limit, double increment,
+                                     std::size_t most) {
+  const double steps = (limit - base) / increment;
+  // As Octave counts them: the last one may miss the limit by rounding.
+  constexpr double kRounding = 3.0 * std::numeric_limits<double>::epsilon();
+  const double count = std::floor(steps + kRounding * std::max(1.0, std::abs(steps))) + 1.0;
+  if (!std::isfinite(base) || !(count <= static_cast<double>(most))) return std::nullopt;
+  MatValue value;
+  value.kind = MatValue::Kind::kNumbers;
+  value.real.resize(count > 0.0 ? static_cast<std::size_t>(count) : 0);
+  for (std::size_t i = 0; i < value.real.size(); ++i) {
+    value.real[i] = base + static_cast<double>(i) * increment;
+  }
+  value.sizes = {1, value.real.size()};
+  return value;
 }
 
 std::string other_class(std::string_view name) {

@@ -46,6 +46,11 @@ struct MatValue {
 /// Numbers beyond the last column are unused space of the writer, and are removed.
 [[nodiscard]] std::string checked_sparse(MatValue& value);
 
+/// The points of a range of Octave: base, base + increment, … up to the limit; nothing where they
+/// are not numbers, or more than `most`.
+[[nodiscard]] std::optional<MatValue> octave_range(double base, double limit, double increment,
+                                                   std::size_t most);
+
 /// What a value of a class is called that only MATLAB itself reads: "an object of the class
 /// 'timetable'".
 [[nodiscard]] std::string other_class(std::string_view name);

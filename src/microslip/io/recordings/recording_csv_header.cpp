@@ -60,10 +60,8 @@ std::optional<double> parse_rate(std::string_view text) {
 }
 
 bool is_rate_name(std::string_view name) {
-  static constexpr std::array<std::string_view, 10> kNames{
-      "sampling_rate",    "sampling_rate_hz", "fs",         "sample_rate", "sampling_frequency",
-      "sample_frequency", "samplingrate",     "samplerate", "actualrate",  "time_sample_rate"};
-  return std::ranges::find(kNames, plain_name(name)) != kNames.end();
+  return std::ranges::any_of(
+      kRateNames, [&](const char* known) { return plain_name(known) == plain_name(name); });
 }
 
 bool is_bracketed(std::string_view text) {

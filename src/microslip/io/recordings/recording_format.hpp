@@ -10,6 +10,9 @@ enum class RecordingFormat {
   kUffBinary,  ///< universal file, datasets 58b
   kMat,        ///< MATLAB
   kHdf5,       ///< HDF5
+  kTdms,       ///< TDMS of LabVIEW, read alone
+  kLvm,        ///< LVM of LabVIEW, read alone
+  kWav,        ///< WAV, read alone
 };
 
 }  // namespace microslip

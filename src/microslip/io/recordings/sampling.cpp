@@ -119,6 +119,20 @@ PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step) 
   return result;
 }
 
+std::optional<Warning> contradicting_rate(const PointsAxis& points,
+                                          std::optional<double> stated_step, std::string_view name,
+                                          std::string_view place) {
+  const Axis& axis = points.axis;
+  if (!stated_step || !axis.even() || axis.dimension != kTime) return std::nullopt;
+  if (std::abs(axis.step - *stated_step) <= kEvenAsStated * *stated_step) return std::nullopt;
+  return Warning{
+      "rate_contradicts",
+      fmt::format(
+          "{}: {} has steps of {:.6g} s, {:.6g} Hz, and the file states {:.6g} Hz; the times "
+          "are used. Take out what is wrong",
+          place, in_quotes(name), axis.step, 1.0 / axis.step, 1.0 / *stated_step)};
+}
+
 void apply_unit(Channel& channel, std::string_view unit, const std::string& source,
                 std::vector<Warning>& warnings) {
   if (trimmed(unit).empty()) return;

@@ -19,13 +19,22 @@
 
 namespace microslip {
 
-inline constexpr std::array<const char*, 14> kRateNames{"fs",          "Fs",
-                                                        "FS",          "sampling_rate",
-                                                        "sample_rate", "samplingrate",
-                                                        "samplerate",  "samplingRate",
-                                                        "sampleRate",  "SamplingRate",
-                                                        "SampleRate",  "sampling_frequency",
-                                                        "ActualRate",  "Time_Sample_Rate"};
+inline constexpr std::array<const char*, 16> kRateNames{"fs",
+                                                        "Fs",
+                                                        "FS",
+                                                        "sampling_rate",
+                                                        "sample_rate",
+                                                        "samplingrate",
+                                                        "samplerate",
+                                                        "samplingRate",
+                                                        "sampleRate",
+                                                        "SamplingRate",
+                                                        "SampleRate",
+                                                        "sampling_frequency",
+                                                        "sample_frequency",
+                                                        "sampling_rate_hz",
+                                                        "ActualRate",
+                                                        "Time_Sample_Rate"};
 inline constexpr std::array<const char*, 5> kStepNames{"dt", "Dt", "sampling_interval", "delta_t",
                                                        "wf_increment"};
 inline constexpr std::array<const char*, 4> kStartNames{"t0", "start", "start_time",
@@ -83,6 +92,14 @@ struct PointsInFile {
 /// 0.01 of it.
 /// @throws InputError  where find_unit_of_points() does not know the unit.
 [[nodiscard]] PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step);
+
+/// A warning where times are even in another step than what the file states by its rate or
+/// interval, by more than 0.01 of it: the times are used.
+/// @param name  of the times in the file.
+[[nodiscard]] std::optional<Warning> contradicting_rate(const PointsAxis& points,
+                                                        std::optional<double> stated_step,
+                                                        std::string_view name,
+                                                        std::string_view place);
 
 /// Brings values to SI by the unit that the file names. An unknown one is kept as the attribute
 /// `unit` and gives a warning unless it is one of another quantity, such as °C or V; so does a

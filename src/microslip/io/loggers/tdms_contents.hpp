@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "microslip/base/progress.hpp"
+
+/// @file
+/// Contents of TDMS files of LabVIEW [NI, "The NI TDMS File Format", version 2.0]. Internal to
+/// io/loggers.
+///
+/// A file is a row of segments: a lead-in of 28 bytes, the metadata of some objects, and raw
+/// values. Objects are the file "/", groups "/'g'" and channels "/'g'/'c'"; what a segment does not
+/// state again of an object stays as it was.
+
+namespace microslip {
+
+/// A time stamp: seconds since 1904-01-01 00:00 UTC, and 2^-64 s.
+struct TdmsTime {
+  std::int64_t seconds = 0;
+  std::uint64_t fraction = 0;
+};
+
+/// s from one to the other.
+[[nodiscard]] double seconds_between(const TdmsTime& from, const TdmsTime& to);
+
+using TdmsValue = std::variant<double, std::string, TdmsTime>;
+
+struct TdmsProperties {
+  std::map<std::string, TdmsValue, std::less<>> all = {};
+
+  /// Null where there is none of this name, or it is of another kind.
+  [[nodiscard]] const double* number(std::string_view name) const;
+  [[nodiscard]] const std::string* text(std::string_view name) const;
+  [[nodiscard]] const TdmsTime* time(std::string_view name) const;
+};
+
+/// Values of a channel as stored. Those of DAQmx come from several sources, by their number.
+struct TdmsSource {
+  std::uint32_t scale_id = 0;
+  std::vector<double> values;
+};
+
+struct TdmsObject {
+  std::string group;    ///< empty: the file itself
+  std::string channel;  ///< empty: a group
+  TdmsProperties properties = {};
+  std::vector<TdmsSource> sources = {};
+  bool is_daqmx = false;
+  std::vector<TdmsTime> times = {};  ///< of a channel of time stamps
+  std::string other = {};            ///< in words, of values that are neither numbers nor times
+};
+
+struct TdmsContents {
+  std::vector<TdmsObject> objects;  ///< in the order of the file
+  bool truncated = false;           ///< it ends within a segment, whose last values are left out
+};
+
+/// @throws FileError    where it cannot be read.
+/// @throws FormatError  where it is damaged, or ends early and that is not allowed.
+/// @throws Cancelled    where the progress callback says so.
+[[nodiscard]] TdmsContents read_tdms(const std::string& path, bool allow_truncated,
+                                     const Progress& progress);
+
+}  // namespace microslip

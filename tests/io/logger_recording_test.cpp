@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: MIT
+
+// Files of data loggers, put together by their descriptions: NI, "The NI TDMS File Format"
+// (version 2.0; what it leaves open of DAQmx as npTDMS 1.10 reads it), NI, "Specification for the
+// LabVIEW Measurement File", Microsoft and IBM, "Multimedia Programming Interface" (RIFF WAVE).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "io/support.hpp"
+#include "microslip/base/error.hpp"
+#include "microslip/io/open/recording_file.hpp"
+
+namespace microslip::logger_recording_test {
+namespace {
+
+using test::message_of;
+
+/// Bytes of a file, in one of the byte orders.
+class Bytes {
+ public:
+  explicit Bytes(bool big = false) : big_(big) {}
+
+  template <class T>
+  Bytes& add(T value) {
+    std::array<char, sizeof(T)> raw;
+    std::memcpy(raw.data(), &value, sizeof(T));
+    if (big_) std::ranges::reverse(raw);
+    bytes_.append(raw.data(), raw.size());
+    return *this;
+  }
+  Bytes& u32(std::uint32_t value) { return add(value); }
+  Bytes& text(const std::string& text) {
+    u32(static_cast<std::uint32_t>(text.size()));
+    return raw(text);
+  }
+  Bytes& raw(const std::string& bytes) {
+    bytes_ += bytes;
+    return *this;
+  }
+  [[nodiscard]] const std::string& str() const { return bytes_; }
+  [[nodiscard]] bool big() const { return big_; }
+
+ private:
+  bool big_;
+  std::string bytes_;
+};
+
+constexpr std::uint32_t kI16 = 2;
+constexpr std::uint32_t kDouble = 10;
+constexpr std::uint32_t kSingle = 9;
+constexpr std::uint32_t kText = 0x20;
+constexpr std::uint32_t kMetadata = 2;
+constexpr std::uint32_t kNewList = 4;
+constexpr std::uint32_t kRaw = 8;
+constexpr std::uint32_t kInterleaved = 32;
+constexpr std::uint32_t kBigEndian = 64;
+constexpr std::uint32_t kDaqmx = 128;
+
+std::string number(const std::string& name, double value, bool big = false) {
+  return Bytes(big).text(name).u32(kDouble).add(value).str();
+}
+
+std::string word(const std::string& name, const std::string& value) {
+  return Bytes().text(name).u32(kText).text(value).str();
+}
+
+/// An object of a segment. @param index  bytes of its raw data index.
+std::string object(const std::string& path, const std::string& index,
+                   const std::vector<std::string>& properties, bool big = false) {
+  Bytes bytes(big);
+  bytes.text(path).raw(index).u32(static_cast<std::uint32_t>(properties.size()));
+  for (const std::string& property : properties) bytes.raw(property);
+  return bytes.str();
+}
+
+std::string index_of(std::uint32_t type, std::uint64_t count, bool big = false) {
+  return Bytes(big).u32(20).u32(type).u32(1).add(count).str();
+}
+
+const std::string kSame = Bytes().u32(0).str();
+const std::string kNone = Bytes().u32(0xFFFFFFFF).str();
+
+std::string segment(std::uint32_t contents, const std::vector<std::string>& objects,
+                    const std::string& values, bool big = false) {
+  Bytes metadata(big);
+  if ((contents & kMetadata) != 0) {
+    metadata.u32(static_cast<std::uint32_t>(objects.size()));
+    for (const std::string& o : objects) metadata.raw(o);
+  }
+  Bytes bytes(big);
+  bytes.raw("TDSm").raw(Bytes().u32(contents | (big ? kBigEndian : 0)).str()).u32(4713);
+  bytes.add(std::uint64_t{metadata.str().size() + values.size()});
+  bytes.add(std::uint64_t{metadata.str().size()});
+  return bytes.raw(metadata.str()).raw(values).str();
+}
+
+template <class T>
+std::string values(const std::vector<T>& all, bool big = false) {
+  Bytes bytes(big);
+  for (const T value : all) bytes.add(value);
+  return bytes.str();
+}
+
+const std::string kForcePath = "/'Run'/'force'";
+const std::string kAccPath = "/'Run'/'it''s acc'";
+
+std::vector<std::string> waveform(double step, const std::string& unit) {
+  return {number("wf_increment", step), word("unit_string", unit)};
+}
+
+class Tdms : public testing::Test {
+ protected:
+  Recordings read(const std::string& bytes, const RecordingReadOptions& options = {}) {
+    test::put(path_, bytes);
+    return read_recordings(path_, options);
+  }
+  std::string message(const std::string& bytes) {
+    return message_of<Error>([&] { (void)read(bytes); });
+  }
+
+  test::TemporaryFolder folder_;
+  std::string path_ = folder_.file("a.tdms");
+};
+
+constexpr std::uint32_t kAll = kMetadata | kNewList | kRaw;
+
+// Two chunks of a segment, then a segment that states nothing again, then one that says "as
+// before".
+TEST_F(Tdms, JoinsSegmentsAndChunks) {
+  const std::string file = segment(kAll,
+                                   {object("/", kNone, {word("operator", "me")}),
+                                    object(kForcePath, index_of(kDouble, 2), waveform(0.5, "kN")),
+                                    object(kAccPath, index_of(kI16, 1), waveform(0.5, "g"))},
+                                   values<double>({1, 2}) + values<std::int16_t>({7}) +
+                                       values<double>({3, 4}) + values<std::int16_t>({8})) +
+                           segment(kRaw, {}, values<double>({5, 6}) + values<std::int16_t>({9})) +
+                           segment(kMetadata | kRaw, {object(kForcePath, kSame, {})},
+                                   values<double>({7, 8}) + values<std::int16_t>({10}));
+  const Recordings read = this->read(file);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  const Recording& recording = read.recordings[0];
+  EXPECT_EQ(recording.axis.step, 0.5);
+  EXPECT_EQ(recording.channel("force").values, (std::vector<double>{1e3, 2e3, 3e3, 4e3}))
+      << "cut to what both have";
+  EXPECT_EQ(read.warnings.at(0).code, "channels_cut");
+  EXPECT_DOUBLE_EQ(recording.channel("it's acc").values[3], 10 * 9.80665);
+}
+
+TEST_F(Tdms, TakesRowsOfInterleavedValuesAndTheOtherByteOrder) {
+  const auto properties = [](bool big) { return std::vector{number("wf_increment", 0.25, big)}; };
+  for (const bool big : {false, true}) {
+    std::string rows;
+    for (const int i : {1, 2, 3}) {
+      rows += values<float>({static_cast<float>(i)}, big) +
+              values<std::int16_t>({static_cast<std::int16_t>(-i)}, big);
+    }
+    const Recordings read =
+        this->read(segment(kAll | kInterleaved,
+                           {object(kForcePath, index_of(kSingle, 3, big), properties(big), big),
+                            object(kAccPath, index_of(kI16, 3, big), properties(big), big)},
+                           rows, big));
+    EXPECT_EQ(read.recordings.at(0).channel("force").values, (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(read.recordings.at(0).channel("it's acc").values, (std::vector<double>{-1, -2, -3}));
+  }
+}
+
+/// Raw data index of DAQmx of one source, an I16 at this byte of rows of 4 bytes.
+std::string daqmx_index(std::uint32_t byte, std::uint32_t scale) {
+  return Bytes()
+      .u32(0x1269)
+      .u32(0xFFFFFFFF)
+      .u32(1)
+      .add(std::uint64_t{3})
+      .u32(1)
+      .u32(3)
+      .u32(0)
+      .u32(byte)
+      .u32(0)
+      .u32(scale)
+      .u32(1)
+      .u32(4)
+      .str();
+}
+
+std::string count(const std::string& name, std::uint32_t value) {
+  return Bytes().text(name).u32(7).u32(value).str();
+}
+
+// V = 0.001 counts + 0.5, then newtons by a polynomial of V, 2 V + 3 V².
+TEST_F(Tdms, ScalesCountsOfDaqmx) {
+  std::vector<std::string> scales = waveform(1e-3, "N");
+  for (const std::string& property :
+       {count("NI_Number_Of_Scales", 3), word("NI_Scaling_Status", "unscaled"),
+        word("NI_Scale[1]_Scale_Type", "Linear"), number("NI_Scale[1]_Linear_Slope", 1e-3),
+        number("NI_Scale[1]_Linear_Y_Intercept", 0.5), count("NI_Scale[1]_Linear_Input_Source", 0),
+        word("NI_Scale[2]_Scale_Type", "Polynomial"),
+        count("NI_Scale[2]_Polynomial_Coefficients_Size", 3),
+        number("NI_Scale[2]_Polynomial_Coefficients[0]", 0),
+        number("NI_Scale[2]_Polynomial_Coefficients[1]", 2),
+        number("NI_Scale[2]_Polynomial_Coefficients[2]", 3),
+        count("NI_Scale[2]_Polynomial_Input_Source", 1)}) {
+    scales.push_back(property);
+  }
+  const Recordings read =
+      this->read(segment(kAll | kDaqmx,
+                         {object(kAccPath, daqmx_index(0, 0), waveform(1e-3, "V")),
+                          object(kForcePath, daqmx_index(2, 0), scales)},
+                         values<std::int16_t>({1, 500, 2, -500, 3, 1500})));
+  const Recording& recording = read.recordings.at(0);
+  EXPECT_EQ(recording.channel("it's acc").values, (std::vector<double>{1, 2, 3}));
+  const std::vector<double>& force = recording.channel("force").values;
+  ASSERT_EQ(force.size(), 3U);
+  EXPECT_DOUBLE_EQ(force[0], 5.0);
+  EXPECT_DOUBLE_EQ(force[1], 0.0);
+  EXPECT_DOUBLE_EQ(force[2], 16.0);
+}
+
+TEST_F(Tdms, ScalesByTablesAndDifferences) {
+  std::vector<std::string> scales = waveform(1e-3, "N");
+  for (const std::string& property :
+       {count("NI_Number_Of_Scales", 3), word("NI_Scale[0]_Scale_Type", "Table"),
+        count("NI_Scale[0]_Table_Pre_Scaled_Values_Size", 2),
+        number("NI_Scale[0]_Table_Pre_Scaled_Values[0]", 2),
+        number("NI_Scale[0]_Table_Pre_Scaled_Values[1]", 0),
+        count("NI_Scale[0]_Table_Scaled_Values_Size", 2),
+        number("NI_Scale[0]_Table_Scaled_Values[0]", 20),
+        number("NI_Scale[0]_Table_Scaled_Values[1]", 10),
+        count("NI_Scale[0]_Table_Input_Source", 0xFFFFFFFF),
+        word("NI_Scale[1]_Scale_Type", "AdvancedAPI"), word("NI_Scale[2]_Scale_Type", "Subtract"),
+        count("NI_Scale[2]_Subtract_Left_Operand_Input_Source", 1),
+        count("NI_Scale[2]_Subtract_Right_Operand_Input_Source", 0)}) {
+    scales.push_back(property);
+  }
+  const Recordings read = this->read(segment(kAll, {object(kForcePath, index_of(kI16, 4), scales)},
+                                             values<std::int16_t>({-5, 0, 1, 9})));
+  EXPECT_EQ(read.recordings.at(0).channel("force").values, (std::vector<double>{15, 10, 14, 11}))
+      << "right less left; beyond the table its last value";
+}
+
+TEST_F(Tdms, LeavesOutChannelsItCannotScale) {
+  std::vector<std::string> scales = waveform(1e-3, "°C");
+  scales.push_back(count("NI_Number_Of_Scales", 1));
+  scales.push_back(word("NI_Scale[0]_Scale_Type", "Thermocouple"));
+  const Recordings read =
+      this->read(segment(kAll,
+                         {object(kAccPath, index_of(kI16, 2), scales),
+                          object(kForcePath, index_of(kI16, 2), waveform(1e-3, "N"))},
+                         values<std::int16_t>({1, 2, 3, 4})));
+  EXPECT_EQ(read.recordings.at(0).channels.size(), 1U);
+  EXPECT_EQ(read.warnings.at(0).code, "channel_left_out");
+  EXPECT_NE(read.warnings[0].text.find("'Thermocouple'"), std::string::npos);
+}
+
+// Two scales that take each other: read on, the file would never end.
+TEST_F(Tdms, LeavesOutScalesInACircle) {
+  std::vector<std::string> scales = waveform(1e-3, "N");
+  scales.push_back(count("NI_Number_Of_Scales", 1));
+  scales.push_back(word("NI_Scale[0]_Scale_Type", "Add"));
+  scales.push_back(count("NI_Scale[0]_Add_Left_Operand_Input_Source", 0));
+  scales.push_back(count("NI_Scale[0]_Add_Right_Operand_Input_Source", 0));
+  EXPECT_NE(message(segment(kAll, {object(kForcePath, index_of(kI16, 2), scales)},
+                            values<std::int16_t>({1, 2})))
+                .find("circle"),
+            std::string::npos);
+}
+
+/// A time stamp of so many half seconds behind some day.
+std::string stamp(const std::string& name, std::uint64_t halves) {
+  return Bytes()
+      .text(name)
+      .u32(0x44)
+      .add(std::uint64_t{halves % 2 << 63U})
+      .add(std::int64_t{3'800'000'000} + static_cast<std::int64_t>(halves / 2))
+      .str();
+}
+
+TEST_F(Tdms, CutsChannelsThatStartApartToTheirCommonTime) {
+  std::vector<std::string> early = waveform(0.5, "N");
+  early.push_back(stamp("wf_start_time", 1));
+  std::vector<std::string> late = waveform(0.5, "m");
+  late.push_back(stamp("wf_start_time", 3));
+  const Recordings read = this->read(segment(
+      kAll,
+      {object(kForcePath, index_of(kI16, 4), early), object(kAccPath, index_of(kI16, 4), late)},
+      values<std::int16_t>({1, 2, 3, 4, 5, 6, 7, 8})));
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].axis.start, 1.0);
+  EXPECT_EQ(read.recordings[0].channel("force").values, (std::vector<double>{3, 4}));
+  EXPECT_EQ(read.recordings[0].channel("it's acc").values, (std::vector<double>{5, 6}));
+  EXPECT_EQ(read.warnings.at(0).code, "channels_cut");
+}
+
+TEST_F(Tdms, KeepsChannelsApartWhoseSamplesAreNotTogether) {
+  std::vector<std::string> late = waveform(0.4, "m");
+  late.push_back(stamp("wf_start_time", 2));
+  std::vector<std::string> early = waveform(0.4, "N");
+  early.push_back(stamp("wf_start_time", 1));
+  const Recordings read = this->read(segment(
+      kAll,
+      {object(kForcePath, index_of(kI16, 4), early), object(kAccPath, index_of(kI16, 4), late)},
+      values<std::int16_t>({1, 2, 3, 4, 5, 6, 7, 8})));
+  ASSERT_EQ(read.recordings.size(), 2U);
+  EXPECT_EQ(read.recordings[1].axis.start, 0.5);
+}
+
+TEST_F(Tdms, TakesTimesFromAChannel) {
+  const Recordings read =
+      this->read(segment(kAll,
+                         {object("/'Run'/'Time'", index_of(kDouble, 3), {}),
+                          object(kForcePath, index_of(kI16, 3), {word("unit_string", "N")})},
+                         values<double>({1.0, 1.25, 1.5}) + values<std::int16_t>({1, 2, 3})));
+  EXPECT_EQ(read.recordings.at(0).axis.start, 1.0);
+  EXPECT_EQ(read.recordings[0].axis.step, 0.25);
+}
+
+TEST_F(Tdms, SaysWhatIsDamagedOrMissing) {
+  const std::string good = segment(kAll, {object(kForcePath, index_of(kI16, 2), waveform(1, "N"))},
+                                   values<std::int16_t>({1, 2}));
+  EXPECT_NE(message(good + good.substr(0, 40)).find("allow_truncated"), std::string::npos);
+  EXPECT_EQ(read(good + good.substr(0, 40), {.allow_truncated = true}).warnings.at(0).code,
+            "file_truncated");
+  EXPECT_NE(message(good + "rubbish that is no segment at all").find("'TDSm'"), std::string::npos);
+  EXPECT_NE(message(segment(kAll, {object(kForcePath, index_of(kI16, 2), {word("u", "N")})},
+                            values<std::int16_t>({1, 2})))
+                .find("wf_increment"),
+            std::string::npos);
+  EXPECT_NE(message(segment(kAll, {object(kForcePath, index_of(kI16, 1ULL << 62U), {})},
+                            values<std::int16_t>({1, 2})))
+                .find("expected"),
+            std::string::npos);
+}
+
+/// @param code  1: integers, 3: floating-point numbers.
+std::string wav(std::uint16_t code, std::uint16_t channels, std::uint16_t bytes,
+                const std::string& samples) {
+  const std::string format = Bytes()
+                                 .add(code)
+                                 .add(channels)
+                                 .u32(1000)
+                                 .u32(1000U * channels * bytes)
+                                 .add(static_cast<std::uint16_t>(channels * bytes))
+                                 .add(static_cast<std::uint16_t>(8 * bytes))
+                                 .str();
+  const std::string inner = "WAVEfmt " + Bytes().text(format).str() + "LIST" +
+                            Bytes().text("odd").str() + '\0' + "data" + Bytes().text(samples).str();
+  return "RIFF" + Bytes().text(inner).str();
+}
+
+class Wav : public Tdms {};
+
+TEST_F(Wav, HasFractionsOfFullScale) {
+  const Recordings read = this->read(wav(1, 2, 2, values<std::int16_t>({-32768, 0, 16384, 1})));
+  const Recording& recording = read.recordings.at(0);
+  EXPECT_EQ(recording.sampling_rate(), 1000.0);
+  EXPECT_EQ(recording.channel("channel_1").values, (std::vector<double>{-1.0, 0.5}));
+  EXPECT_EQ(recording.channel("channel_2").values, (std::vector<double>{0.0, 1.0 / 32768}));
+  EXPECT_FALSE(recording.channels[0].dimension);
+}
+
+TEST_F(Wav, HasIntegersOfEverySizeAndFloats) {
+  const auto first = [&](const std::string& bytes) {
+    return read(bytes).recordings.at(0).channels.at(0).values;
+  };
+  const std::vector<double> expected{-1.0, 0.5};
+  EXPECT_EQ(first(wav(1, 1, 1, std::string("\0\xC0", 2))), expected) << "unsigned, 128 is zero";
+  EXPECT_EQ(first(wav(1, 1, 3, std::string("\0\0\x80\0\0\x40", 6))), expected);
+  EXPECT_EQ(first(wav(1, 1, 4, values<std::int32_t>({INT32_MIN, 1 << 30}))), expected);
+  EXPECT_EQ(first(wav(3, 1, 4, values<float>({-1.0F, 0.5F}))), expected);
+  EXPECT_EQ(first(wav(3, 1, 8, values<double>({-1.0, 0.5}))), expected);
+}
+
+TEST_F(Wav, NamesOtherSamplesAndTheEnd) {
+  EXPECT_NE(message(wav(7, 1, 1, "ab")).find("sox"), std::string::npos) << "µ-law";
+  std::string cut = wav(1, 1, 2, values<std::int16_t>({1, 2, 3}));
+  cut.resize(cut.size() - 2);
+  EXPECT_NE(message(cut).find("allow_truncated"), std::string::npos);
+  EXPECT_EQ(read(cut, {.allow_truncated = true}).recordings.at(0).size(), 2U);
+}
+
+const std::string kLvmHead =
+    "LabVIEW Measurement\t\r\nWriter_Version\t2\r\nReader_Version\t2\r\nSeparator\tTab\r\n";
+
+class Lvm : public Tdms {};
+
+// As LabVIEW writes pieces of one measurement: a section each, the first with a comment.
+TEST_F(Lvm, JoinsSectionsThatGoOn) {
+  const auto section = [](const std::string& start, const std::string& rows) {
+    return "\r\nChannels\t2\t\t\r\nSamples\t2\t2\t\r\nY_Unit_Label\tN\tg\t\r\nX0\t" + start + "\t" +
+           start +
+           "\t\r\nDelta_X\t1.0E-3\t1.0E-3\t\r\n***End_of_Header***\t\t\t\r\n"
+           "X_Value\tForce\tAcc\tComment\r\n" +
+           rows;
+  };
+  const Recordings read = this->read(kLvmHead + "X_Columns\tNo\r\n***End_of_Header***\t\r\n" +
+                                     section("0.0", "\t1.0\t2.0\tfirst\r\n\t3.0\t4.0\r\n") +
+                                     section("2.0E-3", "\t5.0\t6.0\r\n\t7.0\t8.0\r\n"));
+  ASSERT_EQ(read.recordings.size(), 1U);
+  const Recording& recording = read.recordings[0];
+  EXPECT_EQ(recording.axis.step, 1e-3);
+  EXPECT_EQ(recording.channel("Force").values, (std::vector<double>{1, 3, 5, 7}));
+  EXPECT_EQ(recording.channel("Force").dimension, kForce);
+  EXPECT_DOUBLE_EQ(recording.channel("Acc").values[3], 8 * 9.80665);
+}
+
+TEST_F(Lvm, TakesColumnsOfTimeAndDecimalCommas) {
+  const std::string rows = "0,5\t1,5\t0,5\t2,5\r\n0,75\t3,5\t0,75\t4,5\r\n1,0\t5,5\t1,0\t6,5\r\n";
+  const Recordings each = read(kLvmHead +
+                               "Decimal_Separator\t,\r\nX_Columns\tMulti\r\n***End_of_Header***\r\n"
+                               "\r\nChannels\t2\r\n***End_of_Header***\r\n"
+                               "X_Value\tA\tX_Value\tB\tComment\r\n" +
+                               rows);
+  EXPECT_EQ(each.recordings.at(0).axis.start, 0.5);
+  EXPECT_EQ(each.recordings[0].axis.step, 0.25);
+  EXPECT_EQ(each.recordings[0].channel("B").values, (std::vector<double>{2.5, 4.5, 6.5}));
+  const Recordings one = read(kLvmHead +
+                              "X_Columns\tOne\r\n***End_of_Header***\r\n\r\nChannels\t1\r\n"
+                              "***Start_Special***\r\nanything\t1\r\n***End_Special***\r\n"
+                              "***End_of_Header***\r\nX_Value\tA\r\n1.5\t1\r\n1.75\t2\r\n");
+  EXPECT_EQ(one.recordings.at(0).channel("A").values, (std::vector<double>{1, 2}));
+  EXPECT_EQ(one.recordings[0].axis.step, 0.25);
+}
+
+TEST_F(Lvm, NamesTheLineOfAFault) {
+  const std::string head = kLvmHead +
+                           "X_Columns\tOne\r\n***End_of_Header***\r\n\r\nChannels\t1\r\n"
+                           "***End_of_Header***\r\nX_Value\tA\r\n";
+  EXPECT_NE(message(head + "0\there\r\n").find(":11"), std::string::npos);
+  EXPECT_NE(message(kLvmHead).find("***End_of_Header***"), std::string::npos);
+  EXPECT_NE(message(head).find("a section of values"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace microslip::logger_recording_test
