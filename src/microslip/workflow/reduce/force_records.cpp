@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "microslip/base/units.hpp"
+#include "microslip/signal/recording/resampling.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
 
 namespace microslip {
@@ -47,7 +48,8 @@ ForceRecord force_record(const Recording& recording, const JointChannels& channe
   ForceRecord record;
   record.force = values_of(recording, force, kForce);
   record.displacement = values_of(recording, displacement, kLength);
-  record.time_step = recording.axis.even() ? recording.axis.step : 0.0;
+  if (!recording.axis.even()) throw uneven_times(recording);
+  record.time_step = recording.axis.step;
   return record;
 }
 
@@ -69,8 +71,7 @@ ForceRecords read_force_records(const std::vector<TestFile>& files, const JointC
     for (const Recording& recording :
          named_recordings(read_recordings(file, untimed), file.path, warnings.emplace_back())) {
       all.records.push_back({recording.source, force_record(recording, channels),
-                             recording.axis.start, static_cast<double>(warnings.size()),
-                             recording.axis.values});
+                             recording.axis.start, static_cast<double>(warnings.size())});
     }
     all.inputs.push_back({file.path, file.sha256});
   }
