@@ -287,6 +287,70 @@ std::optional<double> hdf5_number(hid_t object, const char* name, const std::str
   return read_attribute(object, name, place).number;
 }
 
+namespace {
+
+/// Texts of fixed length, `size` bytes each.
+std::vector<std::string> fixed_texts(hid_t attribute, hid_t type, std::size_t count,
+                                     const std::string& place) {
+  const std::size_t size = H5Tget_size(type);
+  std::string bytes(count * size, '\0');
+  if (H5Aread(attribute, type, bytes.data()) < 0) fail_hdf5(place, "texts");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string text = bytes.substr(i * size, size);
+    text.resize(std::min(text.find('\0'), text.size()));
+    text.resize(text.find_last_not_of(' ') + 1);  // where it is padded so
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+/// Texts in memory of the library: `Item` points to one, `text` copies it.
+template <class Item, class Copy>
+std::vector<std::string> variable_texts(hid_t attribute, hid_t type, std::size_t count,
+                                        const std::string& place, const Copy& text) {
+  std::vector<Item> items(count);
+  if (H5Aread(attribute, type, items.data()) < 0) fail_hdf5(place, "texts");
+  std::vector<std::string> texts;
+  for (const Item& item : items) texts.push_back(text(item));
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  H5Dvlen_reclaim(type, space.id(), H5P_DEFAULT, items.data());
+  return texts;
+}
+
+bool is_list_of_characters(hid_t type) {
+  if (H5Tget_class(type) != H5T_VLEN) return false;
+  const Hdf5Handle item(H5Tget_super(type), H5Tclose);
+  return H5Tget_class(item.id()) == H5T_STRING && H5Tis_variable_str(item.id()) == 0 &&
+         H5Tget_size(item.id()) == 1;
+}
+
+}  // namespace
+
+std::vector<std::string> hdf5_texts(hid_t object, const char* name, const std::string& place) {
+  constexpr hssize_t kMost = 65536;
+  if (!has_attribute(object, name, place)) return {};
+  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  if (!attribute.valid()) fail_hdf5(place, fmt::format("an attribute {}", in_quotes(name)));
+  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
+  const hssize_t size = H5Sget_simple_extent_npoints(space.id());
+  if (!type.valid() || size < 1 || size > kMost) return {};
+  const auto count = static_cast<std::size_t>(size);
+  if (is_list_of_characters(type.id())) {
+    return variable_texts<hvl_t>(attribute.id(), type.id(), count, place, [](const hvl_t& item) {
+      return std::string(static_cast<const char*>(item.p), item.len);
+    });
+  }
+  if (H5Tget_class(type.id()) != H5T_STRING) return {};
+  if (H5Tis_variable_str(type.id()) == 0) {
+    return fixed_texts(attribute.id(), type.id(), count, place);
+  }
+  return variable_texts<char*>(attribute.id(), type.id(), count, place, [](const char* item) {
+    return std::string(item == nullptr ? "" : item);
+  });
+}
+
 std::vector<double> hdf5_numbers(hid_t object, const char* name, const std::string& place) {
   constexpr hssize_t kMost = 4096;
   if (!has_attribute(object, name, place)) return {};

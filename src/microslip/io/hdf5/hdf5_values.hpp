@@ -56,6 +56,11 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place);
 [[nodiscard]] std::optional<double> hdf5_number(hid_t object, const char* name,
                                                 const std::string& place);
 
+/// Texts of an attribute of any size: of fixed or variable length, or lists of single characters,
+/// as MATLAB writes them; none where there is no such attribute, or it is something else.
+[[nodiscard]] std::vector<std::string> hdf5_texts(hid_t object, const char* name,
+                                                  const std::string& place);
+
 /// Numbers of an attribute of any size; none where there is no such attribute, or it is text.
 [[nodiscard]] std::vector<double> hdf5_numbers(hid_t object, const char* name,
                                                const std::string& place);

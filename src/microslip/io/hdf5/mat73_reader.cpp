@@ -46,6 +46,7 @@ class Mat73Reader {
     MatTree tree;
     tree.root.kind = MatValue::Kind::kStruct;
     tree.root.sizes = {1, 1};
+    tree.root.in_order = false;
     if (!options_.only && is_of_scipy(file_)) {
       tree.root = read_group(file_, path_, 0);
       return tree;
@@ -155,6 +156,7 @@ class Mat73Reader {
       return checked(std::move(value), place);
     }
     if (type == "scalar struct") return read_struct(group, place, depth);
+    if (type == "struct") return read_octave_structs(group, place, depth);
     MatValue value;
     value.sizes = {1, 1};
     if (type == "cell") {
@@ -164,12 +166,33 @@ class Mat73Reader {
         value.children.push_back(
             read_object(open_hdf5_object(group, name), place + "/" + name, depth + 1));
       }
-      value.sizes = {1, value.children.size()};
+      value.sizes = sizes_of_cell(group, value.children.size(), place);
       return value;
     }
     value.kind = MatValue::Kind::kOther;
     value.other = fmt::format("a value of the type {}", in_quotes(type));
     return value;
+  }
+
+  /// Its dimensions stand beside the elements.
+  static std::vector<std::size_t> sizes_of_cell(hid_t group, std::size_t count,
+                                                const std::string& place) {
+    if (!has_member(group, "dims")) return {1, count};
+    MatValue value;
+    for (const std::int64_t size : read_indices(group, "dims", place)) {
+      value.sizes.push_back(static_cast<std::size_t>(size));
+    }
+    if (value.sizes.size() < 2 || value.count() != count) {
+      fail_hdf5(place, fmt::format("dimensions of {} elements", count));
+    }
+    return value.sizes;
+  }
+
+  /// Each field is a cell of its value in each element.
+  MatValue read_octave_structs(hid_t group, const std::string& place, int depth) {
+    std::optional<MatValue> value = structs_of_columns(read_struct(group, place, depth));
+    if (!value) fail_hdf5(place, "fields that are cells of one size");
+    return *std::move(value);
   }
 
   static std::size_t sparse_rows_of_octave(hid_t group, const std::string& place) {
@@ -195,8 +218,7 @@ class Mat73Reader {
     }
     constexpr std::size_t kMost = std::size_t{1} << 27U;
     auto value = octave_range(range.base, range.limit, range.increment, kMost);
-    if (!value) fail_hdf5(place, "a range of numbers");
-    return *std::move(value);
+    return value ? *std::move(value) : long_range(range.base, range.limit, range.increment);
   }
 
   /// Characters of a byte, signed as C has them.
@@ -348,13 +370,21 @@ class Mat73Reader {
            !hdf5_text(object.id(), "MATLAB_class", place);
   }
 
+  /// MATLAB states the order of the fields; without that they come by name.
+  static std::vector<std::string> fields_of(hid_t group, bool& in_order, const std::string& place) {
+    std::vector<std::string> members = hdf5_members(group, place);
+    std::vector<std::string> stated = hdf5_texts(group, "MATLAB_fields", place);
+    in_order = std::ranges::is_permutation(stated, members);
+    return in_order ? stated : members;
+  }
+
   /// A struct of one element has its fields as members; of several, members that refer to one value
   /// per element.
   MatValue read_struct(hid_t group, const std::string& place, int depth) {
     MatValue value;
     value.kind = MatValue::Kind::kStruct;
     value.sizes = {1, 1};
-    value.fields = hdf5_members(group, place);
+    value.fields = fields_of(group, value.in_order, place);
     std::vector<std::vector<MatValue>> columns;
     std::size_t count = 1;
     for (const std::string& field : value.fields) {

@@ -317,6 +317,11 @@ class Collector {
                              "Add a variable fs [Hz], or a vector time [s], to the struct or to "
                              "the top of the file.");
     }
+    if (!others_.empty() && !others_.front().second.starts_with("an object of")) {
+      throw FormatError({.file = others_.front().first}, "vectors of numbers",
+                        others_.front().second,
+                        "In the program that wrote it, save its values as a vector of numbers.");
+    }
     if (!others_.empty()) {
       throw FormatError({.file = others_.front().first}, "vectors of numbers",
                         others_.front().second,

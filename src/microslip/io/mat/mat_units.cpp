@@ -52,16 +52,24 @@ bool fits(const UnitOfArray& array, const std::string& unit) {
 /// where every unit of it fits, or not at all.
 class UnitList {
  public:
-  UnitList(const Texts& list, std::vector<UnitOfArray>& arrays) : list_(list), arrays_(arrays) {
+  /// @param in_order  whether the arrays are in the order of the program that wrote them.
+  UnitList(const Texts& list, std::vector<UnitOfArray>& arrays, bool in_order)
+      : list_(list), arrays_(arrays) {
+    std::size_t with_channels = 0;
     for (const UnitOfArray& array : arrays) {
       channels_ += array.channels;
       if (array.channels == 0) has_axis_ = true;
+      if (array.channels > 0) ++with_channels;
     }
+    in_order_ = in_order || with_channels < 2;
   }
+
+  [[nodiscard]] bool in_order() const { return in_order_; }
 
   bool assign() {
     const std::size_t count = list_.size();
     const std::size_t axis = has_axis_ && count > 1 && is_of_axis(list_.front()) ? 1 : 0;
+    if (!in_order_) return give_equal(axis) || give_by_name(axis);
     if (count == arrays_.size() && give_arrays()) return true;
     if (count == axis + channels_ && give_channels(axis)) return true;
     if (count == axis + 1 && give_all(axis)) return true;
@@ -128,6 +136,16 @@ class UnitList {
     return give(gifts);
   }
 
+  /// The order does not matter where the units of all channels are the same.
+  bool give_equal(std::size_t axis) {
+    const auto first = list_.begin() + static_cast<std::ptrdiff_t>(axis);
+    const std::size_t count = list_.size() - axis;
+    const std::size_t arrays = arrays_.size() - (has_axis_ ? 1 : 0);
+    if (count != 1 && count != channels_ && count != arrays) return false;
+    const bool equal = std::all_of(first, list_.end(), [&](const auto& u) { return u == *first; });
+    return equal && give_all(axis);
+  }
+
   bool give_by_name(std::size_t axis) {
     std::vector<Gift> gifts = of_axis(axis);
     for (UnitOfArray& array : arrays_) {
@@ -144,12 +162,19 @@ class UnitList {
   std::vector<UnitOfArray>& arrays_;
   std::size_t channels_ = 0;
   bool has_axis_ = false;
+  bool in_order_ = true;
 };
 
 std::string joined(const Texts& texts) {
   std::string all;
   for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
   return all;
+}
+
+std::string names_of(const std::vector<UnitOfArray>& arrays) {
+  Texts names;
+  for (const UnitOfArray& array : arrays) names.push_back(array.name);
+  return list_of_names(names);
 }
 
 void assign_own(MatValue& value, std::size_t element, std::vector<UnitOfArray>& arrays) {
@@ -181,14 +206,24 @@ void assign_units(MatValue& value, std::size_t element, const MatValue* list,
     return assign_fields(*list, arrays);
   }
   const Texts texts = mat_texts(list);
-  if (texts.empty() || UnitList(texts, arrays).assign()) return;
-  Texts names;
-  for (const UnitOfArray& array : arrays) names.push_back(array.name);
+  UnitList units(texts, arrays, value.in_order);
+  if (texts.empty() || units.assign()) return;
+  if (!units.in_order()) {
+    const auto channel = std::ranges::find_if(arrays, [](const auto& a) { return a.channels > 0; });
+    warnings.push_back(
+        {"units_not_assigned",
+         fmt::format("{}: units {} are not used: the file does not keep the order of {}; give one "
+                     "unit for all of them, units.{} of a struct units, a text {}_unit, or "
+                     "`assume_units`",
+                     place, in_quotes(joined(texts), 120), names_of(arrays), channel->name,
+                     channel->name)});
+    return;
+  }
   warnings.push_back(
       {"units_not_assigned",
        fmt::format("{}: units {} are not used: they are {} for {}; give one for each of these in "
                    "order, one for the time and one for all others, or `assume_units`",
-                   place, in_quotes(joined(texts), 120), texts.size(), list_of_names(names))});
+                   place, in_quotes(joined(texts), 120), texts.size(), names_of(arrays))});
 }
 
 std::string mat_text(const MatValue* value) {

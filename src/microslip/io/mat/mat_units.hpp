@@ -31,8 +31,9 @@ struct UnitOfArray {
 ///   `units` with a single unit, for all channels.
 /// Each rule is applied as a whole or not at all: where the axis got a unit of something else, a
 /// channel that of a time or frequency, or one whose name is a word for another quantity that unit,
-/// the next is tried. An array that has a unit keeps it. A list that fits none of these is reported
-/// in a warning.
+/// the next is tried. Where the order of several arrays is not known (HDF5) a list is taken only if
+/// it gives all channels the same unit, or by names. An array that has a unit keeps it. A list that
+/// fits none of these is reported in a warning.
 /// @param list  the value of `units`; null where there is none.
 void assign_units(MatValue& value, std::size_t element, const MatValue* list,
                   std::vector<UnitOfArray>& arrays, const std::string& place,

@@ -83,6 +83,32 @@ std::optional<MatValue> octave_range(double base, double limit, double increment
   return value;
 }
 
+MatValue long_range(double base, double limit, double increment) {
+  MatValue value;
+  value.kind = MatValue::Kind::kOther;
+  value.sizes = {1, 1};
+  value.other = fmt::format("a range {}:{}:{} of more values than any record of the file", base,
+                            increment, limit);
+  return value;
+}
+
+std::optional<MatValue> structs_of_columns(MatValue columns) {
+  MatValue value;
+  value.kind = MatValue::Kind::kStruct;
+  value.in_order = columns.in_order;
+  value.fields = std::move(columns.fields);
+  for (const MatValue& column : columns.children) {
+    if (value.sizes.empty()) value.sizes = column.sizes;
+    if (column.kind != MatValue::Kind::kCell || column.sizes != value.sizes) return std::nullopt;
+  }
+  if (value.sizes.empty()) return std::nullopt;
+  for (std::size_t i = 0; i < value.count(); ++i) {
+    for (MatValue& column : columns.children)
+      value.children.push_back(std::move(column.children[i]));
+  }
+  return value;
+}
+
 std::string other_class(std::string_view name) {
   return "an object of the class " + in_quotes(name);
 }

@@ -29,6 +29,8 @@ struct MatValue {
   std::vector<std::int64_t> column_start;
   std::vector<std::string> texts;   ///< kText: UTF-8, one per row
   std::vector<std::string> fields;  ///< kStruct: the names
+  /// kStruct: the names are in the order of the program that wrote them. HDF5 keeps none.
+  bool in_order = true;
   /// kCell: the elements. kStruct: the fields of the first element, then those of the second, ….
   std::vector<MatValue> children;
   std::string other;  ///< kOther: what it is, in words
@@ -50,6 +52,13 @@ struct MatValue {
 /// are not numbers, or more than `most`.
 [[nodiscard]] std::optional<MatValue> octave_range(double base, double limit, double increment,
                                                    std::size_t most);
+
+/// What stands for a range that octave_range() does not give.
+[[nodiscard]] MatValue long_range(double base, double limit, double increment);
+
+/// The array of structs of which `columns`, a struct of one element, has a cell for each field, as
+/// Octave stores it; nothing where it has none or they differ in size.
+[[nodiscard]] std::optional<MatValue> structs_of_columns(MatValue columns);
 
 /// What a value of a class is called that only MATLAB itself reads: "an object of the class
 /// 'timetable'".

@@ -175,6 +175,9 @@ void pass(Parcel& parcel, MatValue& value) {
   pass(parcel, value.column_start);
   pass(parcel, value.texts);
   pass(parcel, value.fields);
+  char in_order = value.in_order ? 1 : 0;
+  pass(parcel, in_order);
+  value.in_order = in_order != 0;
   pass(parcel, value.children);
   pass(parcel, value.other);
 }
