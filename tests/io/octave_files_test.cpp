@@ -75,6 +75,32 @@ TEST(OctaveText, HasCellsArraysOfStructsAndEmptyValues) {
   EXPECT_EQ(read_matrix_file(path + ":D").size, 3);
 }
 
+// As Octave 7.3 saves f = @(q) fs * q, i = find (x > 1) and a struct with both.
+TEST(OctaveText, KeepsWhatValuesHoldWithinThem) {
+  const std::string handle =
+      "# type: function handle\n@<anonymous>\n@(q) fs * q\n# length: 1\n# name: fs\n"
+      "# type: scalar\n100\n\n\n\n\n";
+  const std::string found =
+      "# type: lazy_index\n# name: index_value\n# type: matrix\n# rows: 1\n# columns: 2\n"
+      " 3 4\n\n\n\n\n";
+  const std::string x = "# name: x\n# type: matrix\n# rows: 1\n# columns: 3\n 1 2 3\n\n\n";
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("a.txt");
+  test::put(path, "# Created by Octave 7.3.0\n" + x + "# name: f\n" + handle + "# name: i\n" +
+                      found + "# name: i2\n" + found + "# name: h\n# type: function handle\nsin\n" +
+                      "\n\n# name: o\n# type: object\n# classname: c\n# length: 1\n" + x +
+                      "\n\n# name: s\n# type: scalar struct\n# ndims: 2\n 1 1\n# length: 3\n" +
+                      "# name: f\n" + handle + "# name: i\n" + found + x + "\n\n");
+  EXPECT_EQ(mat_fields(path, ""), (std::vector<std::string>{"x", "f", "i", "i2", "h", "o", "s"}));
+  EXPECT_EQ(mat_fields(path, "s"), (std::vector<std::string>{"f", "i", "x"}));
+  EXPECT_EQ(read_mat_numbers(path, "i2"), (std::vector<double>{3, 4}));
+  EXPECT_EQ(read_mat_numbers(path, "s.i"), (std::vector<double>{3, 4}));
+  EXPECT_EQ(read_mat_numbers(path, "s.x"), (std::vector<double>{1, 2, 3}));
+  EXPECT_NE(message_of<Error>([&] { (void)read_recordings(path, {}); }).find("a sampling rate"),
+            std::string::npos)
+      << "100 is not its rate";
+}
+
 class OctaveTextForms : public testing::Test {
  protected:
   std::string message(const std::string& text) {
@@ -100,6 +126,25 @@ TEST_F(OctaveTextForms, AreReadColumnByColumn) {
       numbers("# name: x\r\n# type: global range\r\n# base, limit, increment\r\n1 2.4 0.5\r\n"),
       (std::vector<double>{1, 1.5, 2}));
   EXPECT_EQ(numbers("# name: x\n# type: bool\n1\n"), (std::vector<double>{1}));
+}
+
+TEST_F(OctaveTextForms, HaveDiagonalsOfAnyNumber) {
+  const std::string sizes = "# rows: 2\n# columns: 2\n";
+  const auto read = [&](const std::string& text) {
+    test::put(path_, "# Created by Octave 7.3.0\n" + text);
+    return read_matrix_file(path_ + ":x").size;
+  };
+  EXPECT_EQ(read("# name: x\n# type: float diagonal matrix\n" + sizes + "1\n2\n"), 2);
+  test::put(path_, "# Created by Octave 7.3.0\n# name: z\n# type: complex diagonal matrix\n" +
+                       sizes + "(1,2)\n(2,0)\n\n\n# name: x\n# type: scalar\n7\n");
+  EXPECT_EQ(read_mat_numbers(path_, "x"), (std::vector<double>{7}));
+}
+
+// A range takes three numbers whatever its length.
+TEST_F(OctaveTextForms, MayHoldALongRangeBesides) {
+  EXPECT_EQ(numbers("# name: r\n# type: range\n# base, limit, increment\n0 1e9 1\n\n\n"
+                    "# name: x\n# type: scalar\n7\n"),
+            (std::vector<double>{7}));
 }
 
 TEST_F(OctaveTextForms, NameTheLineOfAFault) {

@@ -136,7 +136,8 @@ class OctaveText {
     if (type == "cell") return read_cell(depth);
     if (type == "scalar struct") return read_struct(depth);
     if (type == "struct") return read_structs(depth);
-    if (type == "diagonal matrix") return read_diagonal();
+    if (type.ends_with("diagonal matrix")) return read_diagonal(type.starts_with("complex "));
+    if (type == "lazy_index") return read_named(depth, nullptr);  // as find() returns them
     if (type.starts_with("sparse ")) return read_sparse(type.find("complex") != type.npos);
     if (type.ends_with("range")) return read_range();
     const bool complex = type.find("complex ") != type.npos;
@@ -146,7 +147,23 @@ class OctaveText {
     value.kind = Kind::kOther;
     value.sizes = {1, 1};
     value.other = fmt::format("a value of the type {}", in_quotes(type));
+    skip_unknown(depth);
     return value;
+  }
+
+  /// What lies within a value of another type: a function handle has the variables that it
+  /// captured and an object its properties, as so many entries behind `# length: N`. A blank line
+  /// ends it.
+  void skip_unknown(int depth) {
+    std::size_t inside = 1;
+    while (!value_of(peek(), "name")) {
+      if (left() == 0) return;
+      const std::string_view next = line();
+      if (trimmed(next).empty()) return;
+      if (const auto length = value_of(next, "length")) inside = size_of(*length);
+      if (inside == 0) return;
+    }
+    for (; inside > 0; --inside) (void)read_named(depth, nullptr);
   }
 
   static MatValue numbers(std::vector<std::size_t> sizes) {
@@ -229,8 +246,7 @@ class OctaveText {
     // Any other vector of as many values takes two bytes a value.
     constexpr std::size_t kFew = 4096;
     auto value = octave_range(base, limit, increment, std::max(kFew, text_.size()));
-    if (!value) fail("a range of numbers", fmt::format("{}:{}:{}", base, increment, limit));
-    return *std::move(value);
+    return value ? *std::move(value) : long_range(base, limit, increment);
   }
 
   /// The product; no more than the text has bytes.
@@ -278,7 +294,7 @@ class OctaveText {
   }
 
   /// As a sparse one.
-  MatValue read_diagonal() {
+  MatValue read_diagonal(bool complex) {
     const std::size_t rows = count("rows");
     const std::size_t columns = count("columns");
     MatValue value;
@@ -286,10 +302,10 @@ class OctaveText {
     value.sizes = {rows, columns};
     const std::size_t there = std::min(rows, columns);
     if (columns > text_.size()) fail("values that the file can hold", "more");
-    make_room(value, there, false);
+    make_room(value, there, complex);
     value.column_start.assign(columns + 1, static_cast<std::int64_t>(there));
     for (std::size_t i = 0; i < there; ++i) {
-      value.real[i] = number();
+      take_number(value, i, complex);
       value.row.push_back(static_cast<std::int64_t>(i));
       value.column_start[i] = static_cast<std::int64_t>(i);
     }
@@ -401,22 +417,11 @@ class OctaveText {
   /// Each field is a cell of its value in each element.
   MatValue read_structs(int depth) {
     MatValue columns = read_fields(depth);
-    const std::size_t count = product(columns.sizes);
-    MatValue value;
-    value.kind = Kind::kStruct;
-    value.sizes = columns.sizes;
-    value.fields = std::move(columns.fields);
-    for (const MatValue& column : columns.children) {
-      if (column.kind != Kind::kCell || column.children.size() != count) {
-        fail(fmt::format("a cell of {} values", count), describe(column));
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      for (MatValue& column : columns.children) {
-        value.children.push_back(std::move(column.children[i]));
-      }
-    }
-    return value;
+    if (columns.fields.empty()) return columns;
+    const std::vector<std::size_t> sizes = columns.sizes;
+    std::optional<MatValue> value = structs_of_columns(std::move(columns));
+    if (!value || value->sizes != sizes) fail("fields that are cells of one size", "others");
+    return *std::move(value);
   }
 
   const std::string& text_;
