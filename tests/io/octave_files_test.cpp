@@ -236,6 +236,24 @@ TEST_F(Mat4, ReadsEveryKindOfNumberInEitherByteOrder) {
   }
 }
 
+TEST_F(Mat4, MayBeginWithAnEmptyVariable) {
+  for (const bool big : {false, true}) {
+    const std::uint32_t order = big ? 1000 : 0;
+    test::put(path_, matrix4<double>(order, 0, 0, "nothing", {}, big) +
+                         matrix4<double>(order, 0, 3, "none", {}, big) +
+                         matrix4<double>(order, 1, 1, "fs", {50}, big) +
+                         matrix4<double>(order, 2, 1, "acc", {1, 2}, big));
+    EXPECT_EQ(read_recordings(path_, {}).recordings.at(0).channel("acc").values,
+              (std::vector<double>{1, 2}));
+  }
+  test::put(path_,
+            std::string(16, '\0') + std::string("\2\0\0\0a\0rubbish", 13) + std::string(40, 'x'));
+  EXPECT_NE(message_of<Error>([&] {
+              (void)read_recordings_mat(path_);
+            }).find("expected a MAT file of MATLAB"),
+            std::string::npos);
+}
+
 TEST_F(Mat4, NamesWhatIsDamaged) {
   const std::string good = matrix4<double>(0, 2, 1, "a", {1, 2});
   const auto message = [&](const std::string& bytes) {

@@ -43,7 +43,6 @@ constexpr std::array kBinary{
     Signature{"\xFE\xFF"sv, "UTF-16 text", "Save it as UTF-8."},
     Signature{"TDSm"sv, "a TDMS file of LabVIEW"},
     Signature{"TDSh"sv, "an index of a TDMS file of LabVIEW", "Export the .tdms beside it."},
-    Signature{"LabVIEW Measurement"sv, "an LVM file of LabVIEW"},
     Signature{"MDF     "sv, "an MDF file (ASAM)",
               "Export it to MATLAB (v7.3) or CSV, with asammdf for instance."},
     Signature{"UnFinMF "sv, "an MDF file (ASAM) that was not closed",
@@ -64,6 +63,7 @@ constexpr std::array kBinary{
     Signature{"Octave-1-"sv, "a binary file of Octave", "In Octave: load it, and save -v7 FILE."},
 };
 
+constexpr Signature kLvm{"LabVIEW Measurement"sv, "an LVM file of LabVIEW"};
 constexpr Signature kWav{"", "a WAV file"};
 constexpr Signature kBzip2{"", "a bzip2 archive", kUnpack};
 constexpr Signature kMat4{"", "a MAT file of version 4"};
@@ -91,8 +91,11 @@ bool is_bzip2(std::string_view head) {
 
 /// MATLAB: MAT-File Format, "Level 4". It has no mark: the type of a matrix, its rows, columns and
 /// whether it is complex, then the length of its name and the name, which ends in a zero.
-bool is_mat4(std::string_view head) {
+/// Behind an empty matrix the next one follows at once, or the end of the file.
+bool is_mat4(std::string_view head, int matrices = 0) {
   constexpr std::size_t kHeader = 20;
+  constexpr int kMostMatrices = 64;
+  if (matrices > kMostMatrices) return true;
   constexpr std::uint32_t kLongestName = 64;
   if (head.size() <= kHeader) return false;
   for (const bool big : {false, true}) {
@@ -108,8 +111,11 @@ bool is_mat4(std::string_view head) {
     if (imaginary > 1 || length < 2 || length > kLongestName) continue;
     const std::string_view name = head.substr(kHeader, length);
     const bool ends = name.size() == length && name.find('\0') == length - 1;
-    const bool sized = rows > 0 && columns > 0 && rows < (1U << 30U) && columns < (1U << 30U);
-    if (ends && sized && std::isalpha(static_cast<unsigned char>(name[0])) != 0) return true;
+    const bool sized = rows < (1U << 30U) && columns < (1U << 30U);
+    if (!ends || !sized || std::isalpha(static_cast<unsigned char>(name[0])) == 0) continue;
+    const std::string_view behind = head.substr(kHeader + length);
+    const bool empty = rows == 0 || columns == 0;
+    if (!empty || behind.empty() || is_mat4(behind, matrices + 1)) return true;
   }
   return false;
 }
@@ -133,6 +139,7 @@ std::string_view signature(std::string_view head) {
   if (is_mat4(head)) return kMat4.name;
   if (is_universal_file(head)) return "a universal file";
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
+  if (head.starts_with(kLvm.start)) return kLvm.name;
   const std::size_t first = head.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return {};
   head.remove_prefix(first);
@@ -146,7 +153,7 @@ std::string_view signature(std::string_view head) {
 }
 
 std::string_view remedy_for_signature(std::string_view signature) {
-  for (const Signature& s : {kWav, kBzip2, kMat4}) {
+  for (const Signature& s : {kLvm, kWav, kBzip2, kMat4}) {
     if (s.name == signature) return s.remedy;
   }
   const auto* const found = std::ranges::find(kBinary, signature, &Signature::name);

@@ -13,7 +13,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t kSignatureSize = 128;
+constexpr std::size_t kSignatureSize = 4096;
 
 }  // namespace
 
