@@ -35,8 +35,11 @@ namespace microslip {
                                              const RecordingReadOptions& options = {});
 
 /// Reads an LVM file of LabVIEW ("Specification for the LabVIEW Measurement File"): each of its
-/// sections is a recording over `Delta_X` from `X0` on, or over the column of its x; names of
-/// channels and `Y_Unit_Label` are those of its header.
+/// sections is a recording over `Delta_X` from `X0` on, or over the column of its x, by `Delta_X`
+/// where that explains the printed x. Names and `Y_Unit_Label` are those of its header, for the
+/// channel that they stand at. Sections that go on where the last one ended are appended to it.
+/// Channels of a section that begin at another `Date` and `Time` are recordings of their own, later
+/// by that, with a warning; those over something else than time or frequency are left out with one.
 /// @throws  as read_recordings_tdms().
 [[nodiscard]] Recordings read_recordings_lvm(const std::string& path,
                                              const RecordingReadOptions& options = {});

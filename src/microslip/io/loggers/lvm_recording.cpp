@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -13,264 +14,289 @@
 #include "microslip/io/bytes/character_set.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
-#include "microslip/io/cells/csv_cells.hpp"
 #include "microslip/io/loggers/logger_recording.hpp"
+#include "microslip/io/loggers/lvm_contents.hpp"
 #include "microslip/io/recordings/sampling.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr std::string_view kEndOfHeader = "***End_of_Header***";
-constexpr std::string_view kStartOfSpecial = "***Start_Special***";
-constexpr std::string_view kEndOfSpecial = "***End_Special***";
+/// Of a step: a section goes on where the last one ended, and channels begin whole steps apart.
+constexpr double kWholeLvmSteps = 0.1;
 
-using Cells = std::vector<std::string_view>;
-
-/// The lines of a text, each as cells.
-class LvmLines {
- public:
-  explicit LvmLines(std::string_view text) : rest_(text) {}
-
-  char separator = '\t';
-
-  /// False at the end.
-  bool next() {
-    if (rest_.empty()) return false;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    ++number_;
-    cells_.clear();
-    for (;;) {
-      const std::size_t cut = line.find(separator);
-      cells_.push_back(trimmed(line.substr(0, cut)));
-      if (cut == std::string_view::npos) return true;
-      line.remove_prefix(cut + 1);
-    }
-  }
-
-  [[nodiscard]] const Cells& cells() const { return cells_; }
-  [[nodiscard]] std::string_view tag() const { return cells_.front(); }
-  [[nodiscard]] std::size_t number() const { return number_; }
-  [[nodiscard]] bool is_blank() const {
-    return std::ranges::all_of(cells_, &std::string_view::empty);
-  }
-
- private:
-  std::string_view rest_;
-  std::size_t number_ = 0;
-  Cells cells_;
-};
-
-enum class LvmX { kNone, kOne, kEach };
-
-/// What the header of the file states.
-struct LvmForm {
-  LvmX x = LvmX::kNone;
-  bool comma = false;
-};
-
-/// A section: its header, and its columns of values.
-struct LvmSection {
-  std::map<std::string, std::vector<std::string>, std::less<>> header = {};
-  std::vector<std::string> names = {};
-  std::vector<std::vector<double>> columns = {};  ///< as they stand, those of x among them
-
-  [[nodiscard]] std::string entry(std::string_view tag, std::size_t channel) const {
-    const auto found = header.find(tag);
-    if (found == header.end() || found->second.empty()) return {};
-    return found->second[std::min(channel, found->second.size() - 1)];
-  }
-};
+/// s since 1970 by `Date` (2026/11/29) and `Time` (10:00:00.25); nothing where they are others.
+std::optional<double> lvm_time(std::string_view date, std::string_view time) {
+  int year = 0;
+  unsigned month = 0;
+  unsigned day = 0;
+  int hours = 0;
+  int minutes = 0;
+  double seconds = 0.0;
+  std::string text = fmt::format("{} {}", date, time);
+  std::ranges::replace_if(
+      text, [](char c) { return c == '/' || c == ':'; }, ' ');
+  std::ranges::replace(text, ',', '.');
+  std::istringstream words(text);
+  words.imbue(std::locale::classic());
+  words >> year >> month >> day >> hours >> minutes >> seconds;
+  const std::chrono::year_month_day of{std::chrono::year(year), std::chrono::month(month),
+                                       std::chrono::day(day)};
+  if (words.fail() || !of.ok()) return std::nullopt;
+  const auto days = std::chrono::sys_days(of).time_since_epoch();
+  constexpr double kSecondsOfDay = 86400.0;
+  return kSecondsOfDay * static_cast<double>(days.count()) + 3600.0 * hours + 60.0 * minutes +
+         seconds;
+}
 
 class LvmReader {
  public:
-  LvmReader(const std::string& path, std::string text, bool allow_untimed)
-      : path_(path), text_(to_utf8(text)), lines_(text_), allow_untimed_(allow_untimed) {}
+  LvmReader(const std::string& path, LvmContents contents, bool allow_untimed)
+      : path_(path), contents_(std::move(contents)), allow_untimed_(allow_untimed) {}
 
   Recordings read() {
-    read_file_header();
-    while (read_section()) {
-    }
-    for (Recording& recording : recordings_) {
-      check_foreign(recording, path_, result_.warnings);
-      result_.recordings.push_back(std::move(recording));
-    }
+    join_sections();
+    for (LvmSection& section : contents_.sections) add_section(section);
     if (result_.recordings.empty() && !without_axis_.empty()) {
-      throw no_sampling_rate(without_axis_.front(), "Save it with a column of time, or Delta_X.");
+      throw no_sampling_rate(without_axis_.front(),
+                             "Save values over Time or Frequency, with a column of it or Delta_X.");
     }
     if (result_.recordings.empty()) {
-      throw FormatError({path_, lines_.number(), 0}, "a section of values", "none");
+      throw FormatError({path_, 0, 0}, "a section of values, two or more", "none");
     }
     warn_without_rate(without_axis_, result_.warnings);
     return std::move(result_);
   }
 
  private:
-  [[noreturn]] void fail(std::string_view expected, std::string_view found) const {
-    throw FormatError({path_, lines_.number(), 0}, expected, found,
-                      "If LabVIEW did not write it so, save it as CSV.");
+  [[nodiscard]] std::optional<double> number(const LvmSection& section, std::string_view tag,
+                                             const LvmChannel& channel) const {
+    return lvm_number(section.entry(tag, channel), contents_.comma);
   }
 
-  void read_file_header() {
-    while (lines_.next()) {
-      const Cells& cells = lines_.cells();
-      const std::string_view value = cells.size() > 1 ? cells[1] : std::string_view{};
-      if (cells.front() == kEndOfHeader) return;
-      if (cells.front().starts_with("Separator")) take_separator(cells.front(), value);
-      if (cells.front() == "Decimal_Separator") form_.comma = value == ",";
-      if (cells.front() == "X_Columns") {
-        form_.x = value == "One" ? LvmX::kOne : value == "Multi" ? LvmX::kEach : LvmX::kNone;
-      }
-    }
-    fail(kEndOfHeader, "the end of the file");
+  /// What the header states as the step, in the unit of x.
+  [[nodiscard]] std::optional<double> stated_step(const LvmSection& section,
+                                                  const LvmChannel& channel) const {
+    const std::optional<double> step = number(section, "Delta_X", channel);
+    return step && *step > 0.0 ? step : std::nullopt;
   }
 
-  /// The line is in the separator that it names.
-  void take_separator(std::string_view cell, std::string_view value) {
-    if (value == "Comma" || cell.ends_with(",Comma")) lines_.separator = ',';
-  }
-
-  /// False where there is no further section.
-  bool read_section() {
-    LvmSection section;
-    for (;;) {
-      if (!lines_.next()) return false;
-      const Cells& cells = lines_.cells();
-      if (lines_.is_blank()) continue;
-      if (cells.front() == kStartOfSpecial) {
-        skip_special();
-      } else if (cells.front() == kEndOfHeader) {
-        break;
+  /// LabVIEW writes a section for each piece of a measurement that goes on.
+  void join_sections() {
+    std::vector<LvmSection> joined;
+    for (LvmSection& next : contents_.sections) {
+      if (!joined.empty() && goes_on(joined.back(), next)) {
+        append(joined.back(), next);
       } else {
-        section.header[std::string(cells.front())].assign(cells.begin() + 1, cells.end());
+        joined.push_back(std::move(next));
       }
     }
-    if (!lines_.next()) fail("the line of the names", "the end of the file");
-    for (const std::string_view name : lines_.cells()) section.names.emplace_back(name);
-    read_rows(section);
-    add(section);
+    contents_.sections = std::move(joined);
+  }
+
+  [[nodiscard]] bool goes_on(const LvmSection& last, const LvmSection& next) const {
+    if (last.channels.empty() || last.channels.size() != next.channels.size() ||
+        last.x.size() != next.x.size()) {
+      return false;
+    }
+    for (std::size_t i = 0; i < last.channels.size(); ++i) {
+      if (!goes_on(last, next, last.channels[i], next.channels[i])) return false;
+    }
     return true;
   }
 
-  void skip_special() {
-    while (lines_.next()) {
-      if (lines_.tag() == kEndOfSpecial) return;
+  [[nodiscard]] bool goes_on(const LvmSection& last, const LvmSection& next, const LvmChannel& a,
+                             const LvmChannel& b) const {
+    if (a.column.name != b.column.name) return false;
+    for (const char* tag : {"Y_Unit_Label", "X_Unit_Label", "X_Dimension", "Delta_X"}) {
+      if (last.entry(tag, a) != next.entry(tag, b)) return false;
     }
-    fail(kEndOfSpecial, "the end of the file");
+    const std::size_t size = a.column.values.size();
+    const std::optional<double> step = stated_step(last, a);
+    if (last.x.empty()) {
+      const double from = number(last, "X0", a).value_or(0.0);
+      const double to = number(next, "X0", b).value_or(0.0);
+      return step && is_step(to - from - static_cast<double>(size) * *step + *step, *step);
+    }
+    const std::vector<double>& x = last.x[a.x].values;
+    const std::vector<double>& then = next.x[b.x].values;
+    if (x.size() != size || then.empty() || x.empty()) return false;
+    const double mean = x.size() < 2 ? std::numeric_limits<double>::quiet_NaN()
+                                     : (x.back() - x.front()) / static_cast<double>(x.size() - 1);
+    const double printed = std::pow(10.0, -last.x[a.x].digits.decimals);
+    return is_step(then.front() - x.back(), step.value_or(mean), printed);
   }
 
-  /// To the blank line behind them.
-  void read_rows(LvmSection& section) {
-    const bool has_comment = !section.names.empty() && section.names.back() == "Comment";
-    section.columns.resize(section.names.size() - (has_comment ? 1 : 0));
-    while (lines_.next() && !lines_.is_blank()) {
-      const Cells& cells = lines_.cells();
-      for (std::size_t i = 0; i < std::min(cells.size(), section.columns.size()); ++i) {
-        if (cells[i].empty()) continue;
-        const auto value = form_.comma ? parse_comma_number(cells[i]) : parse_number(cells[i]);
-        if (!value && !is_no_value(cells[i])) fail("a number", in_quotes(cells[i]));
-        section.columns[i].push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
-      }
+  /// @param printed  by how much numbers that were printed may be off.
+  static bool is_step(double gap, double step, double printed = 0.0) {
+    constexpr double kHalf = 0.5;  // a sample that is missing is a whole step
+    return std::abs(gap - step) < std::min(kWholeLvmSteps * step + printed, kHalf * step);
+  }
+
+  static void append(LvmColumn& to, const LvmColumn& next) {
+    to.values.insert(to.values.end(), next.values.begin(), next.values.end());
+    to.digits.decimals = std::max(to.digits.decimals, next.digits.decimals);
+    to.digits.significant = std::max(to.digits.significant, next.digits.significant);
+  }
+
+  static void append(LvmSection& to, const LvmSection& next) {
+    for (std::size_t i = 0; i < to.x.size(); ++i) append(to.x[i], next.x[i]);
+    for (std::size_t i = 0; i < to.channels.size(); ++i) {
+      append(to.channels[i].column, next.channels[i].column);
     }
   }
 
-  static bool is_no_value(std::string_view cell) {
-    const std::string text = in_capitals(cell);
-    return text == "NAN" || text == "INF" || text == "-INF";
-  }
-
-  void add(LvmSection& section) {
+  void add_section(LvmSection& section) {
+    const std::optional<double> begin = begin_of(section);
     std::vector<Recording> added;
-    for (std::size_t i = 1, channel = 0; i < section.columns.size(); ++i) {
-      if (form_.x == LvmX::kEach && i % 2 == 0) continue;
-      std::vector<double>& values = section.columns[i];
-      if (values.size() > 1) add_column(section, i, channel, std::move(values), added);
-      ++channel;
+    std::size_t starts = 0;
+    for (std::size_t i = 0; i < section.channels.size(); ++i) {
+      add_channel_of(section, section.channels[i], i, begin, added);
     }
+    for (const Recording& recording : added) {
+      if (recording.axis.start != added.front().axis.start) ++starts;
+    }
+    if (starts > 0) warn_of_starts(section);
     for (Recording& recording : added) {
-      if (!continues(recording)) recordings_.push_back(std::move(recording));
+      check_foreign(recording, path_, result_.warnings);
+      result_.recordings.push_back(std::move(recording));
     }
   }
 
-  void add_column(const LvmSection& section, std::size_t column, std::size_t index,
-                  std::vector<double> values, std::vector<Recording>& added) {
+  void warn_of_starts(const LvmSection& section) {
+    result_.warnings.push_back(
+        {"starts_differ",
+         fmt::format(
+             "{}:{}: channels begin at different times by Date, Time, X0 or x; those are "
+             "recordings of their own. Where they were sampled together, give them one Date, "
+             "Time and X0",
+             path_, section.line)});
+  }
+
+  [[nodiscard]] std::optional<double> time_of(const LvmSection& section,
+                                              const LvmChannel& channel) const {
+    if (contents_.has_absolute_times) return std::nullopt;
+    return lvm_time(section.entry("Date", channel), section.entry("Time", channel));
+  }
+
+  /// When the earliest channel begins; nothing where that is not known of all.
+  [[nodiscard]] std::optional<double> begin_of(const LvmSection& section) const {
+    double begin = std::numeric_limits<double>::infinity();
+    for (const LvmChannel& channel : section.channels) {
+      const std::optional<double> time = time_of(section, channel);
+      if (!time) return std::nullopt;
+      begin = std::min(begin, *time);
+    }
+    return begin;
+  }
+
+  [[nodiscard]] std::string place_of(const Channel& channel) const {
+    return fmt::format("{}: {}", path_, in_quotes(channel.name, 80));
+  }
+
+  void add_channel_of(const LvmSection& section, LvmChannel& from, std::size_t index,
+                      std::optional<double> begin, std::vector<Recording>& added) {
     Channel channel;
-    channel.name = section.names[column];
+    channel.name = from.column.name;
     if (channel.name.empty()) channel.name = fmt::format("channel_{}", index + 1);
-    channel.values = std::move(values);
-    const std::optional<Axis> axis = axis_of(section, column, index, channel.values.size());
-    if (!axis) {
-      without_axis_.push_back({fmt::format("{}: {}", path_, in_quotes(channel.name, 80))});
+    channel.values = std::move(from.column.values);
+    if (channel.values.empty()) return;
+    if (channel.values.size() == 1) {
+      without_axis_.push_back(
+          {place_of(channel), fmt::format("one value, below line {}", section.line)});
       return;
     }
-    apply_unit(channel, section.entry("Y_Unit_Label", index), path_, result_.warnings);
-    const std::string source =
-        fmt::format("{}{}", file_name(path_),
-                    recordings_.empty() ? "" : fmt::format(" #{}", recordings_.size() + 1));
-    add_channel(added, source, *axis, std::move(channel), fmt::format("column {}", column + 1));
+    std::optional<Axis> axis = axis_of(section, from, channel);
+    if (!axis) return;
+    if (begin) delay(*axis, *time_of(section, from) - *begin);
+    apply_unit(channel, section.entry("Y_Unit_Label", from), path_, result_.warnings);
+    const std::size_t before = result_.recordings.size();
+    const std::string number = before == 0 ? "" : fmt::format(" #{}", before + 1);
+    add_channel(added, file_name(path_) + number, *axis, std::move(channel),
+                fmt::format("column {}", from.number));
   }
 
-  std::optional<Axis> axis_of(const LvmSection& section, std::size_t column, std::size_t channel,
-                              std::size_t size) {
-    const std::size_t x = form_.x == LvmX::kEach ? column - 1 : 0;
-    const bool spectrum = section.entry("X_Dimension", channel) == "Frequency";
-    if (form_.x != LvmX::kNone && section.columns[x].size() >= size) {
-      std::vector<double> points(section.columns[x].begin(),
-                                 section.columns[x].begin() + static_cast<std::ptrdiff_t>(size));
-      const std::string unit = section.entry("X_Unit_Label", channel);
-      return axis_of_points({std::move(points), unit, spectrum ? kFrequency : kTime, path_}, {})
-          .axis;
+  /// By whole steps where it is almost so, as clocks are read with an error.
+  static void delay(Axis& axis, double by) {
+    if (!axis.even()) {
+      for (double& value : axis.values) value += by;
+      return;
     }
-    const auto step = number_of(section, "Delta_X", channel);
-    if (step && *step > 0.0) {
-      Axis axis =
-          even_axis({.step = *step, .start = number_of(section, "X0", channel).value_or(0)});
-      if (spectrum) axis.dimension = kFrequency;
+    const double steps = std::round(by / axis.step);
+    axis.start += std::abs(by / axis.step - steps) < kWholeLvmSteps ? steps * axis.step : by;
+  }
+
+  std::optional<Axis> axis_of(const LvmSection& section, const LvmChannel& from,
+                              const Channel& channel) {
+    const std::string_view over = section.entry("X_Dimension", from);
+    const std::string_view label = section.entry("X_Unit_Label", from);
+    const bool is_spectrum = over == "Frequency";
+    const std::optional<Unit> unit = trimmed(label).empty()
+                                         ? Unit{.dimension = is_spectrum ? kFrequency : kTime}
+                                         : find_unit_of_points(label);
+    const bool is_known = over.empty() || over == "Time" || is_spectrum;
+    if (!is_known || !unit) {
+      without_axis_.push_back(
+          {place_of(channel), is_known ? points_of_unknown_unit("X_Unit_Label", label)
+                                       : fmt::format("X_Dimension {}", in_quotes(over))});
+      return std::nullopt;
+    }
+    std::optional<double> step = stated_step(section, from);
+    if (step) step = *step * unit->factor();
+    if (!section.x.empty()) return axis_of_x(section, from, channel, *unit, step);
+    if (step) {
+      Axis axis = even_axis({.step = *step, .start = number(section, "X0", from).value_or(0.0)});
+      axis.start *= unit->factor();
+      axis.dimension = unit->dimension;
       return axis;
     }
+    if (!allow_untimed_) without_axis_.push_back({place_of(channel)});
     if (!allow_untimed_) return std::nullopt;
     if (result_.warnings.empty()) result_.warnings.push_back(points_untimed(path_));
     return even_axis({.step = 1.0});
   }
 
-  [[nodiscard]] std::optional<double> number_of(const LvmSection& section, std::string_view tag,
-                                                std::size_t channel) const {
-    const std::string text = section.entry(tag, channel);
-    return form_.comma ? parse_comma_number(text) : parse_number(text);
+  std::optional<Axis> axis_of_x(const LvmSection& section, const LvmChannel& from,
+                                const Channel& channel, const Unit& unit,
+                                std::optional<double> step) {
+    const LvmColumn& x = section.x[from.x];
+    const std::size_t size = channel.values.size();
+    if (x.values.size() < size) {
+      without_axis_.push_back(
+          {place_of(channel), fmt::format("{} x for its {} values", x.values.size(), size)});
+      return std::nullopt;
+    }
+    PointsAxis points = axis_of_points(
+        {.points = {x.values.begin(), x.values.begin() + static_cast<std::ptrdiff_t>(size)},
+         .unit = std::string(section.entry("X_Unit_Label", from)),
+         .usual = unit.dimension,
+         .place = path_,
+         .printed = x.digits},
+        step ? step : common_step(section, from, unit));
+    auto warning = contradicting_rate(points, step, x.name, place_of(channel));
+    if (warning) result_.warnings.push_back(*std::move(warning));
+    if (step && !points.axis.even()) {
+      result_.warnings.push_back(
+          {"rate_contradicts",
+           fmt::format("{}: {} has uneven steps, and the file states {:.6g}; the former are used. "
+                       "Take out what is wrong",
+                       place_of(channel), in_quotes(x.name), *step)});
+    }
+    return std::move(points.axis);
   }
 
-  /// LabVIEW writes a section for each piece of a measurement that goes on: appends those.
-  bool continues(Recording& next) {
-    if (recordings_.empty()) return false;
-    Recording& last = recordings_.back();
-    if (!last.axis.even() || !next.axis.even() || last.axis.step != next.axis.step ||
-        last.axis.dimension != next.axis.dimension ||
-        last.channels.size() != next.channels.size()) {
-      return false;
+  /// Of the first channel over the same x that has one.
+  [[nodiscard]] std::optional<double> common_step(const LvmSection& section, const LvmChannel& from,
+                                                  const Unit& unit) const {
+    for (const LvmChannel& channel : section.channels) {
+      if (channel.x != from.x) continue;
+      if (const auto step = stated_step(section, channel)) return *step * unit.factor();
     }
-    constexpr double kTenth = 0.1;
-    const double gap = next.axis.start - last.axis.at(last.size());
-    if (!(std::abs(gap) < kTenth * last.axis.step)) return false;
-    for (std::size_t i = 0; i < last.channels.size(); ++i) {
-      const Channel& a = last.channels[i];
-      const Channel& b = next.channels[i];
-      if (a.name != b.name || a.dimension != b.dimension) return false;
-    }
-    for (std::size_t i = 0; i < last.channels.size(); ++i) {
-      std::vector<double>& to = last.channels[i].values;
-      to.insert(to.end(), next.channels[i].values.begin(), next.channels[i].values.end());
-    }
-    return true;
+    return std::nullopt;
   }
 
   const std::string& path_;
-  std::string text_;
-  LvmLines lines_;
+  LvmContents contents_;
   bool allow_untimed_;
-  LvmForm form_;
-  std::vector<Recording> recordings_;
   std::vector<WithoutAxis> without_axis_;
   Recordings result_;
 };
@@ -278,7 +304,8 @@ class LvmReader {
 }  // namespace
 
 Recordings read_recordings_lvm(const std::string& path, const RecordingReadOptions& options) {
-  return LvmReader(path, read_text(path), options.allow_untimed).read();
+  const std::string text = to_utf8(read_text(path));
+  return LvmReader(path, parse_lvm(text, path), options.allow_untimed).read();
 }
 
 }  // namespace microslip

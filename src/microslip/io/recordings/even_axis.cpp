@@ -74,12 +74,13 @@ class SingleResolution {
 };
 
 template <class Resolution>
-bool explains(const Line& line, std::span<const double> values, Resolution resolution) {
+bool explains(const Line& line, std::span<const double> values, Resolution resolution,
+              bool is_stated = false) {
   // Doubles of the printed numbers and of start + i·step are rounded themselves.
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
                           std::max(std::abs(values.front()), std::abs(values.back()));
   const double end = std::max(resolution(values.front()), resolution(values.back()));
-  const double ceiling = values.size() < kFew ? kFewCeiling : kCeiling;
+  const double ceiling = values.size() < kFew && !is_stated ? kFewCeiling : kCeiling;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double off = std::abs(values[i] - (line.start + static_cast<double>(i) * line.step));
     const double printed = 0.5 * (resolution(values[i]) + end);
@@ -178,6 +179,14 @@ void PrintedDigits::add(std::string_view number) {
 
 Axis axis_from_printed(std::vector<double> values, const Unit& unit, const PrintedDigits& digits) {
   return axis_of(std::move(values), unit.dimension, PrintedResolution(digits, unit.factor()));
+}
+
+std::optional<Axis> axis_of_stated_step(std::span<const double> values, const Unit& unit,
+                                        const PrintedDigits& digits, double step) {
+  const PrintedResolution resolution(digits, unit.factor());
+  const Line line{values.front(), step};
+  if (!(step > 0.0) || !explains(line, values, resolution, true)) return std::nullopt;
+  return Axis{.dimension = unit.dimension, .start = line.start, .step = step, .values = {}};
 }
 
 Axis axis_from_singles(std::vector<double> values, const Unit& unit) {

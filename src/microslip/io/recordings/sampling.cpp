@@ -3,14 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/recordings/doubtful_unit.hpp"
-#include "microslip/io/recordings/even_axis.hpp"
 
 namespace microslip {
 namespace {
@@ -26,6 +27,12 @@ bool lies_evenly(const std::vector<double>& points, double step, double toleranc
     if (!(std::abs(points[i] - expected) <= off)) return false;
   }
   return true;
+}
+
+/// False where one is no number.
+bool rise(const std::vector<double>& points) {
+  const auto fault = std::ranges::adjacent_find(points, std::not_fn(std::less<>()));
+  return points.size() > 1 && fault == points.end();
 }
 
 void scale(std::vector<double>& values, const Unit& unit) {
@@ -97,15 +104,20 @@ PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step) 
   PointsAxis result;
   result.axis.dimension = unit.dimension;
   result.points = points.size();
-  if (unit.dimension != kTime) stated_step.reset();
+  const double stated = unit.dimension == kTime ? stated_step.value_or(0.0) : 0.0;  // 0: none
   const auto is_even = [&](double step, double tolerance) {
     return points.size() > 1 && step > 0.0 && lies_evenly(points, step, tolerance);
   };
   const double mean =
       points.size() < 2 ? 0.0
                         : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
-  if (stated_step && is_even(*stated_step, kEvenAsStated)) {
-    result.axis.step = *stated_step;
+  if (file.printed && rise(points)) {
+    const auto axis = axis_of_stated_step(points, unit, *file.printed, stated);
+    result.axis = axis ? *axis : axis_from_printed(std::move(points), unit, *file.printed);
+    return result;
+  }
+  if (is_even(stated, kEvenAsStated)) {
+    result.axis.step = stated;
   } else if (singles && mean > 0.0) {
     result.axis = axis_from_singles(std::move(points), unit);
     return result;

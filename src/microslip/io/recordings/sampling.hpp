@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/recordings/even_axis.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -80,16 +81,17 @@ struct PointsAxis {
 
 /// How a file gives the points of an axis.
 struct PointsInFile {
-  std::vector<double> points;  ///< as in the file
-  std::string unit;            ///< as in the file; empty: none
-  Dimension usual;             ///< of the points where no unit is named
-  std::string place;           ///< for messages
+  std::vector<double> points;                 ///< as in the file
+  std::string unit;                           ///< as in the file; empty: none
+  Dimension usual;                            ///< of the points where no unit is named
+  std::string place;                          ///< for messages
+  std::optional<PrintedDigits> printed = {};  ///< of points that were printed
 };
 
 /// Points that rise in even steps but for rounding become start and step, others stay as they are.
-/// Even means: off by at most 1e-6 steps; where all are numbers of single precision, by as much as
-/// their rounding explains (even_axis.hpp); where the step of times is stated elsewhere, by at most
-/// 0.01 of it.
+/// Even means: off by at most 1e-6 steps; where all are numbers of single precision, or were
+/// printed, by as much as their rounding explains (even_axis.hpp); where the step of times is
+/// stated elsewhere, by at most 0.01 of it.
 /// @throws InputError  where find_unit_of_points() does not know the unit.
 [[nodiscard]] PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step);
 
