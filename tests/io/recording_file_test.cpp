@@ -67,10 +67,11 @@ TEST(RecordingFormat, IsToldByTheContent) {
 }
 
 TEST(RecordingFormat, RefusesOtherSignatures) {
-  EXPECT_NE(message_of<FormatError>([] {
-              return format_of("\x89PNG\r\n\x1A\n");
-            }).find("expected a recording in CSV, a universal file, MATLAB or HDF5, found a PNG"),
-            std::string::npos);
+  EXPECT_NE(
+      message_of<FormatError>([] { return format_of("\x89PNG\r\n\x1A\n"); })
+          .find("expected a recording in CSV, a universal file, MATLAB, Octave, HDF5, TDMS, LVM "
+                "or WAV, found a PNG"),
+      std::string::npos);
   EXPECT_THROW(format_of("{\"a\": 1}"), FormatError);
 }
 

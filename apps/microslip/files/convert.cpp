@@ -131,10 +131,10 @@ int convert(const ConvertOptions& options, bool quiet) {
 
 void add_options(CLI::App& command, ConvertOptions& options) {
   command
-      .add_option(
-          "in", options.in,
-          "Recordings: CSV, universal file (UFF), MATLAB or HDF5, detected from the content; "
-          "FILE.mat:VARIABLE for a part of a MATLAB file; - is standard input")
+      .add_option("in", options.in,
+                  "Recordings: CSV, universal file (UFF), MATLAB, Octave, HDF5, TDMS, LVM or WAV, "
+                  "detected from the content; "
+                  "FILE.mat:VARIABLE for a part of a MATLAB file; - is standard input")
       ->required()
       ->type_name(kRecordingValue);
   command

@@ -78,7 +78,8 @@ bool has_binary_dataset(std::string_view head) {
   return head.find("\n    58b") != std::string_view::npos;
 }
 
-constexpr std::string_view kExpected = "a recording in CSV, a universal file, MATLAB or HDF5";
+constexpr std::string_view kExpected =
+    "a recording in CSV, a universal file, MATLAB, Octave, HDF5, TDMS, LVM or WAV";
 
 RecordingFormat format_of(std::string_view head, const std::string& name) {
   if (const auto format = find_recording_format_of(head)) return *format;
