@@ -138,6 +138,8 @@ TEST_F(UnitsOrder, LeavesArraysOfStructsOfOctaveAsTheyAre) {
   EXPECT_EQ(second.source, "order.h5:many(2)");
   EXPECT_EQ(second.axis.step, 0.25);
   EXPECT_EQ(second.channel("x").values, (std::vector<double>{4, 5}));
+  EXPECT_EQ(mat_count(data("order.h5"), "empty"), 0U);
+  EXPECT_EQ(mat_count(data("order.h5"), "none"), 0U);
 }
 
 }  // namespace

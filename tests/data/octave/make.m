@@ -8,5 +8,6 @@ save ('-hdf5', 'record.h5', 't', 'force', 'force_unit', 'st', 'K', 'z');
 save ('-v4', 'record.mat', 't', 'force', 'force_unit', 'K', 'z', 'words');
 % Of these HDF5 does not keep the order; those of w are the same.
 q.time = t; q.z = 1:8; q.a = 10:10:80; q.units = 's, N, mm'; w.time = t; w.z = 1:8; w.a = 2:9; w.units = 's, N, N';
-save ('-hdf5', 'order.h5', 'q', 'w', 'many');
+empty = struct ('a', {}); bare = repmat (struct (), 1, 2); none = {};
+save ('-hdf5', 'order.h5', 'q', 'w', 'many', 'empty', 'bare', 'none');
 z = 1:8; a = 10:10:80; units = {'N', 'mm'}; save ('-hdf5', 'order_top.h5', 'fs', 'z', 'a', 'units');

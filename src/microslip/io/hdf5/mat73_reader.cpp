@@ -135,7 +135,10 @@ class Mat73Reader {
     value.sizes = sizes_of(id, place);
     const bool empty = H5Aexists(group, "OCTAVE_EMPTY_MATRIX") > 0;  // its sizes are the values
     if (empty) value.sizes = {0, 0};
-    if (type == "string" || type == "sq_string") {
+    if (type == "cell") {  // an empty one: others are groups
+      value.kind = MatValue::Kind::kCell;
+      value.sizes = {0, 0};
+    } else if (type == "string" || type == "sq_string") {
       value.kind = MatValue::Kind::kText;
       if (!empty) read_octave_text(id, value, place);
     } else if (content == Hdf5Content::kReal || content == Hdf5Content::kComplex) {
@@ -190,7 +193,9 @@ class Mat73Reader {
 
   /// Each field is a cell of its value in each element.
   MatValue read_octave_structs(hid_t group, const std::string& place, int depth) {
-    std::optional<MatValue> value = structs_of_columns(read_struct(group, place, depth));
+    MatValue columns = read_struct(group, place, depth);
+    if (columns.fields.empty()) return columns;
+    std::optional<MatValue> value = structs_of_columns(std::move(columns));
     if (!value) fail_hdf5(place, "fields that are cells of one size");
     return *std::move(value);
   }
