@@ -223,18 +223,41 @@ TEST_F(Tdms, ScalesCountsOfDaqmx) {
   EXPECT_DOUBLE_EQ(force[2], 16.0);
 }
 
-TEST_F(Tdms, ScalesByTablesAndDifferences) {
-  std::vector<std::string> scales = waveform(1e-3, "N");
+/// Properties of a table, the first scale, of the stored values.
+std::vector<std::string> table_of(const std::vector<double>& pre,
+                                  const std::vector<double>& scaled) {
+  const std::string table = "NI_Scale[0]_Table_";
+  const auto size = static_cast<std::uint32_t>(pre.size());
+  std::vector<std::string> properties = waveform(1e-3, "N");
   for (const std::string& property :
-       {count("NI_Number_Of_Scales", 3), word("NI_Scale[0]_Scale_Type", "Table"),
-        count("NI_Scale[0]_Table_Pre_Scaled_Values_Size", 2),
-        number("NI_Scale[0]_Table_Pre_Scaled_Values[0]", 2),
-        number("NI_Scale[0]_Table_Pre_Scaled_Values[1]", 0),
-        count("NI_Scale[0]_Table_Scaled_Values_Size", 2),
-        number("NI_Scale[0]_Table_Scaled_Values[0]", 20),
-        number("NI_Scale[0]_Table_Scaled_Values[1]", 10),
-        count("NI_Scale[0]_Table_Input_Source", 0xFFFFFFFF),
-        word("NI_Scale[1]_Scale_Type", "AdvancedAPI"), word("NI_Scale[2]_Scale_Type", "Subtract"),
+       {word("NI_Scale[0]_Scale_Type", "Table"), count(table + "Pre_Scaled_Values_Size", size),
+        count(table + "Scaled_Values_Size", size), count(table + "Input_Source", 0xFFFFFFFF)}) {
+    properties.push_back(property);
+  }
+  for (std::size_t i = 0; i < pre.size(); ++i) {
+    const std::string at = "[" + std::to_string(i) + "]";
+    properties.push_back(number(table + "Pre_Scaled_Values" + at, pre[i]));
+    properties.push_back(number(table + "Scaled_Values" + at, scaled[i]));
+  }
+  return properties;
+}
+
+// npTDMS 1.10, scaling.py, TableScaling: "the scaled values are the input values".
+TEST_F(Tdms, ScalesByTables) {
+  std::vector<std::string> scales = table_of({0, 100, 200}, {0, 4, 8});
+  scales.push_back(count("NI_Number_Of_Scales", 1));
+  const Recordings read = this->read(segment(kAll, {object(kForcePath, index_of(kI16, 5), scales)},
+                                             values<std::int16_t>({1, 2, 4, 8, 9})));
+  EXPECT_EQ(read.recordings.at(0).channel("force").values,
+            (std::vector<double>{25, 50, 100, 200, 200}))
+      << "beyond the table its last value";
+}
+
+TEST_F(Tdms, ScalesByDifferencesAndTablesThatFall) {
+  std::vector<std::string> scales = table_of({20, 10}, {2, 0});
+  for (const std::string& property :
+       {count("NI_Number_Of_Scales", 3), word("NI_Scale[1]_Scale_Type", "AdvancedAPI"),
+        word("NI_Scale[2]_Scale_Type", "Subtract"),
         count("NI_Scale[2]_Subtract_Left_Operand_Input_Source", 1),
         count("NI_Scale[2]_Subtract_Right_Operand_Input_Source", 0)}) {
     scales.push_back(property);
@@ -242,7 +265,22 @@ TEST_F(Tdms, ScalesByTablesAndDifferences) {
   const Recordings read = this->read(segment(kAll, {object(kForcePath, index_of(kI16, 4), scales)},
                                              values<std::int16_t>({-5, 0, 1, 9})));
   EXPECT_EQ(read.recordings.at(0).channel("force").values, (std::vector<double>{15, 10, 14, 11}))
-      << "right less left; beyond the table its last value";
+      << "right less left";
+}
+
+// npTDMS 1.10, scaling.py, _get_number_of_scalings: the highest index of a type and one more. The
+// first scale of DAQmx is what the file stores and has no type.
+TEST_F(Tdms, CountsScalesWithoutTheirNumber) {
+  std::vector<std::string> scales = waveform(1e-3, "V");
+  for (const std::string& property :
+       {word("NI_Scale[1]_Scale_Type", "Linear"), number("NI_Scale[1]_Linear_Slope", 2),
+        number("NI_Scale[1]_Linear_Y_Intercept", 1), count("NI_Scale[1]_Linear_Input_Source", 0)}) {
+    scales.push_back(property);
+  }
+  const Recordings read =
+      this->read(segment(kAll | kDaqmx, {object(kForcePath, daqmx_index(0, 0), scales)},
+                         values<std::int16_t>({1, 0, 2, 0, 3, 0})));
+  EXPECT_EQ(read.recordings.at(0).channel("force").values, (std::vector<double>{3, 5, 7}));
 }
 
 TEST_F(Tdms, LeavesOutChannelsItCannotScale) {

@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "microslip/io/bytes/text.hpp"
@@ -19,6 +22,7 @@ namespace {
 constexpr double kStored = 4294967295.0;
 /// More than any channel needs: scales that refer to each other could go round in circles.
 constexpr int kMostSteps = 64;
+constexpr std::size_t kMostScales = 1000;
 
 /// Why values cannot be scaled. Ends in ScaledValues::fault.
 class Unscalable : public std::runtime_error {
@@ -26,15 +30,31 @@ class Unscalable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The number in "NI_Scale[…]_Scale_Type"; nothing for another property.
+std::optional<std::size_t> scale_of_property(std::string_view name) {
+  constexpr std::string_view kBegin = "NI_Scale[";
+  constexpr std::string_view kEnd = "]_Scale_Type";
+  if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) return std::nullopt;
+  name.remove_prefix(kBegin.size());
+  if (name.size() <= kEnd.size()) return std::nullopt;
+  name.remove_suffix(kEnd.size());
+  std::size_t scale = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), scale);
+  const bool is_number = error == std::errc{} && end == name.data() + name.size();
+  return is_number && scale < kMostScales ? std::optional(scale) : std::nullopt;
+}
+
+/// As stated, else up to the highest one that has a type: of DAQmx those below may have none.
 std::optional<std::size_t> number_of_scales(const TdmsProperties& properties) {
   if (const double* count = properties.number("NI_Number_Of_Scales")) {
-    return *count > 0.0 && *count < 1000.0 ? static_cast<std::size_t>(*count) : 0;
+    const bool fits = *count > 0.0 && *count <= static_cast<double>(kMostScales);
+    return fits ? static_cast<std::size_t>(*count) : 0;
   }
   std::optional<std::size_t> count;
-  const auto has = [&](std::size_t i) {
-    return properties.text(fmt::format("NI_Scale[{}]_Scale_Type", i)) != nullptr;
-  };
-  for (std::size_t i = 0; has(i); ++i) count = i + 1;
+  for (const auto& [name, value] : properties.all) {
+    const std::optional<std::size_t> scale = scale_of_property(name);
+    if (scale) count = std::max(count.value_or(0), *scale + 1);
+  }
   return count;
 }
 
@@ -140,8 +160,9 @@ class Scaling {
     return values;
   }
 
+  /// The names are the wrong way round: what comes in is among the scaled values.
   std::vector<double> of_table(const std::string& prefix, std::vector<double> values) const {
-    const Table table(numbers(prefix + "Pre_Scaled_Values"), numbers(prefix + "Scaled_Values"));
+    const Table table(numbers(prefix + "Scaled_Values"), numbers(prefix + "Pre_Scaled_Values"));
     for (double& value : values) value = table.at(value);
     return values;
   }

@@ -17,8 +17,9 @@ struct ScaledValues {
 /// Scales the values of a channel as its properties state, else those of its group, else those of
 /// the file: the last of `NI_Number_Of_Scales` scales, each of which takes the values of another
 /// one (`…_Input_Source`) or those that are stored. Unless `NI_Scaling_Status` is "scaled".
-/// Scales that are known: Linear, Polynomial, Table (between two points linearly, beyond them the
-/// last one), Add, Subtract and AdvancedAPI; those of DAQmx have no type. Takes the stored values.
+/// Scales that are known: Linear, Polynomial, Table (from its `Scaled_Values` to its
+/// `Pre_Scaled_Values`, between two points linearly, beyond them the last one), Add, Subtract and
+/// AdvancedAPI; those of DAQmx have no type. Takes the stored values.
 /// @param properties  of the channel, its group and the file, in this order.
 [[nodiscard]] ScaledValues scaled_values(TdmsObject& channel,
                                          const std::vector<const TdmsProperties*>& properties);
