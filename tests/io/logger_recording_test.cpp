@@ -376,20 +376,34 @@ TEST_F(Tdms, SaysWhatIsDamagedOrMissing) {
             std::string::npos);
 }
 
-/// @param code  1: integers, 3: floating-point numbers.
+struct WavForm {
+  std::uint16_t code = 1;  ///< 1: integers, 3: floating-point numbers
+  std::uint16_t channels = 1;
+  std::uint16_t block = 2;  ///< bytes of a sample of all channels
+  std::uint16_t bits = 16;
+};
+
+/// @param samples  from the head of the chunk of samples on.
+std::string riff(const WavForm& form, const std::string& samples) {
+  const std::string format = Bytes()
+                                 .add(form.code)
+                                 .add(form.channels)
+                                 .u32(1000)
+                                 .u32(1000U * form.block)
+                                 .add(form.block)
+                                 .add(form.bits)
+                                 .str();
+  const std::string inner =
+      "WAVEfmt " + Bytes().text(format).str() + "LIST" + Bytes().text("odd").str() + '\0' + samples;
+  return "RIFF" + Bytes().text(inner).str();
+}
+
+/// @param bytes  of a sample of one channel.
 std::string wav(std::uint16_t code, std::uint16_t channels, std::uint16_t bytes,
                 const std::string& samples) {
-  const std::string format = Bytes()
-                                 .add(code)
-                                 .add(channels)
-                                 .u32(1000)
-                                 .u32(1000U * channels * bytes)
-                                 .add(static_cast<std::uint16_t>(channels * bytes))
-                                 .add(static_cast<std::uint16_t>(8 * bytes))
-                                 .str();
-  const std::string inner = "WAVEfmt " + Bytes().text(format).str() + "LIST" +
-                            Bytes().text("odd").str() + '\0' + "data" + Bytes().text(samples).str();
-  return "RIFF" + Bytes().text(inner).str();
+  return riff({code, channels, static_cast<std::uint16_t>(channels * bytes),
+               static_cast<std::uint16_t>(8 * bytes)},
+              "data" + Bytes().text(samples).str());
 }
 
 class Wav : public Tdms {};
@@ -421,6 +435,54 @@ TEST_F(Wav, NamesOtherSamplesAndTheEnd) {
   cut.resize(cut.size() - 2);
   EXPECT_NE(message(cut).find("allow_truncated"), std::string::npos);
   EXPECT_EQ(read(cut, {.allow_truncated = true}).recordings.at(0).size(), 2U);
+}
+
+// RIFF: a chunk is a name of four letters, its size and its contents. A size of 0 is that of a
+// program that did not go back to write it only where no chunk follows.
+TEST_F(Wav, TellsAnEmptyChunkFromAnUnknownSize) {
+  const std::string list = "LIST" + Bytes().text("INFOISFT").str();
+  const std::string empty = "data" + Bytes().u32(0).str();
+  EXPECT_NE(message(riff({}, empty + list)).find("an empty chunk 'data'"), std::string::npos);
+  EXPECT_NE(message(riff({}, empty)).find("an empty chunk 'data'"), std::string::npos);
+  const std::string samples = values<std::int16_t>({16384, 0, -16384, 1, 2, 3, 4});
+  EXPECT_EQ(read(riff({}, empty + samples)).recordings.at(0).size(), 7U);
+}
+
+TEST_F(Wav, WarnsOfSamplesThatItsHeaderDoesNotCount) {
+  const std::string two = "data" + Bytes().text(values<std::int16_t>({16384, 1})).str();
+  const Recordings less = read(riff({}, two + values<std::int16_t>({1, 2, 3, 4, 5, 6})));
+  EXPECT_EQ(less.recordings.at(0).size(), 2U);
+  ASSERT_EQ(less.warnings.size(), 1U);
+  EXPECT_EQ(less.warnings[0].code, "samples_left_out");
+  EXPECT_NE(less.warnings[0].text.find("12 bytes follow"), std::string::npos);
+  const Recordings second = read(riff({}, two + two));
+  ASSERT_EQ(second.warnings.size(), 1U);
+  EXPECT_NE(second.warnings[0].text.find("a second chunk"), std::string::npos);
+  const Recordings part =
+      read(riff({.block = 4, .bits = 32}, "data" + Bytes().text("1234567890").str()));
+  EXPECT_EQ(part.warnings.at(0).code, "samples_left_out");
+  EXPECT_NE(part.warnings[0].text.find("2 of the 4 bytes"), std::string::npos);
+  // As programs write them: a list behind an odd number of bytes, with its padding or without.
+  for (const std::string& padding : {std::string(1, '\0'), std::string()}) {
+    const std::string odd = "data" + Bytes().text("\x40\x80\xC0").str() + padding;
+    const Recordings listed =
+        read(riff({.block = 1, .bits = 8}, odd + "LIST" + Bytes().text("INFO").str()));
+    EXPECT_EQ(listed.recordings.at(0).size(), 3U);
+    EXPECT_TRUE(listed.warnings.empty());
+  }
+}
+
+// "Multimedia Programming Interface": the bytes of a sample are the bits rounded up to whole bytes,
+// the value in the most significant ones.
+TEST_F(Wav, ComparesBitsWithBytes) {
+  const std::string samples = values<std::int16_t>({INT16_MIN, 1 << 14});
+  const std::string data = "data" + Bytes().text(samples).str();
+  EXPECT_EQ(read(riff({.block = 2, .bits = 12}, data)).recordings.at(0).channels.at(0).values,
+            (std::vector<double>{-1.0, 0.5}));
+  EXPECT_NE(message(riff({.block = 4, .bits = 16}, data)).find("samples of 16 bits in 2 bytes"),
+            std::string::npos);
+  EXPECT_NE(message(riff({.block = 0}, data)).find("block size"), std::string::npos);
+  EXPECT_NE(message(riff({.channels = 0}, data)).find("0 channels"), std::string::npos);
 }
 
 const std::string kLvmHead =

@@ -50,6 +50,12 @@ std::string_view PieceReader::take(std::size_t size) {
   return piece;
 }
 
+std::string_view PieceReader::peek(std::size_t size) {
+  size = std::min(size, left());
+  if (buffer_.size() - begin_ < size) refill(size);
+  return std::string_view(buffer_).substr(begin_, size);
+}
+
 void PieceReader::skip(std::size_t size) {
   while (size > 0) {
     const std::size_t count = std::min(size, kPiece);

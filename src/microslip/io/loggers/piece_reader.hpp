@@ -26,6 +26,9 @@ class PieceReader {
   /// @throws FormatError  where fewer follow.
   [[nodiscard]] std::string_view take(std::size_t size);
   void skip(std::size_t size);
+  /// The next `size` bytes, or those that are left, which stay to be taken; valid until the next
+  /// call.
+  [[nodiscard]] std::string_view peek(std::size_t size);
 
   /// A FormatError at the place where the reader is.
   [[noreturn]] void fail(std::string_view expected, std::string_view found,

@@ -23,6 +23,8 @@ namespace {
 /// WAV files are little-endian.
 constexpr bool kSwapWav = std::endian::native != std::endian::little;
 constexpr std::uint32_t kUnknownSize = 0xFFFFFFFF;
+constexpr std::size_t kChunkHead = 8;  ///< bytes: its name and its size
+constexpr std::string_view kConvert = "Convert it first: sox IN -e floating-point -b 32 OUT.wav.";
 
 /// What the bytes of a sample are.
 enum WavCode : std::uint16_t { kIntegers = 1, kFloats = 3, kExtensible = 0xFFFE };
@@ -31,7 +33,8 @@ struct WavFormat {
   std::uint16_t code = 0;
   std::uint16_t channels = 0;
   std::uint32_t rate = 0;
-  std::size_t row = 0;  ///< bytes of a sample of all channels
+  std::size_t row = 0;     ///< bytes of a sample of all channels
+  std::uint16_t bits = 0;  ///< of a sample, of which the bytes are the next whole ones; 0: unstated
 
   [[nodiscard]] std::size_t sample() const { return channels == 0 ? 0 : row / channels; }
 };
@@ -96,18 +99,17 @@ class WavReader {
     std::optional<WavFormat> format;
     std::optional<std::uint64_t> long_size;
     for (;;) {
-      const std::string head(file_.take(8));
+      const std::string head(file_.take(kChunkHead));
       const std::string_view name = std::string_view(head).substr(0, 4);
       const auto size = wav_value<std::uint32_t>(head, 4);
       if (name == "data") {
         if (!format) file_.fail("the chunk 'fmt ' before the samples", "none");
-        const bool unknown = size == kUnknownSize || (size == 0 && file_.left() > 0);
-        return read_samples(*format, unknown ? long_size.value_or(file_.left()) : size);
+        return read_samples(*format, bytes_of_samples(size, long_size));
       }
       const std::string_view chunk = file_.take(size);
       if (name == "fmt ") format = format_of(chunk);
       if (name == "ds64" && is_long && size >= 16) long_size = wav_value<std::uint64_t>(chunk, 8);
-      if (size % 2 == 1 && file_.left() > 0) file_.skip(1);
+      skip_padding(size);
     }
   }
 
@@ -119,17 +121,85 @@ class WavReader {
     format.channels = wav_value<std::uint16_t>(chunk, 2);
     format.rate = wav_value<std::uint32_t>(chunk, 4);
     format.row = wav_value<std::uint16_t>(chunk, 12);
+    format.bits = wav_value<std::uint16_t>(chunk, 14);
     if (format.code == kExtensible && chunk.size() >= 26) {
       format.code = wav_value<std::uint16_t>(chunk, 24);
     }
-    if (format.channels == 0 || format.row % format.channels != 0 ||
-        converter_of(format) == nullptr) {
+    check_format(format);
+    return format;
+  }
+
+  void check_format(const WavFormat& format) const {
+    if (format.channels == 0) file_.fail("a channel or more", "0 channels");
+    if (format.row == 0) {
+      file_.fail("bytes of a sample of all channels (block size) above 0", "0",
+                 "The program that wrote it left out its block size: write it again as WAV.");
+    }
+    if (format.row % format.channels != 0 || converter_of(format) == nullptr) {
       file_.fail("samples of integers or floating-point numbers",
                  fmt::format("format {} of {} bytes for {} channels", format.code, format.row,
                              format.channels),
-                 "Convert it first: sox IN -e floating-point -b 32 OUT.wav.");
+                 kConvert);
     }
-    return format;
+    const std::size_t stated = (std::size_t{format.bits} + 7) / 8;
+    if (format.bits != 0 && stated != format.sample()) {
+      file_.fail(fmt::format("samples of {} bits in {} bytes each", format.bits, stated),
+                 fmt::format("{} bytes each", format.sample()),
+                 "Its header contradicts itself: write it again as WAV.");
+    }
+  }
+
+  /// Whether the head of a chunk follows whose contents the file can hold. Its name is of printable
+  /// ASCII.
+  bool is_chunk_next() {
+    const std::string_view head = file_.peek(kChunkHead);
+    if (head.size() < kChunkHead) return false;
+    const bool is_name =
+        std::ranges::all_of(head.substr(0, 4), [](char c) { return c >= ' ' && c <= '~'; });
+    return is_name && wav_value<std::uint32_t>(head, 4) <= file_.left() - kChunkHead;
+  }
+
+  /// A chunk of an odd number of bytes has one more behind it, which some programs leave out.
+  void skip_padding(std::uint64_t size) {
+    if (size % 2 == 1 && file_.left() > 0 && !is_chunk_next()) file_.skip(1);
+  }
+
+  /// Where a program did not go back to write the size, all that follows are samples.
+  std::uint64_t bytes_of_samples(std::uint32_t size, const std::optional<std::uint64_t>& of_long) {
+    const bool is_unknown =
+        size == kUnknownSize || (size == 0 && file_.left() > 0 && !is_chunk_next());
+    if (is_unknown) return of_long.value_or(file_.left());
+    if (size == 0) {
+      file_.fail("samples", "an empty chunk 'data'", "Nothing was recorded: record it again.");
+    }
+    return size;
+  }
+
+  /// Warns of what is not read behind the samples.
+  void read_rest(std::uint64_t bytes, std::vector<Warning>& warnings) {
+    const auto warn = [&](const std::string& what) {
+      warnings.push_back(
+          {"samples_left_out", fmt::format("{}, byte {}: {}", path_, file_.offset(), what)});
+    };
+    skip_padding(bytes);
+    while (is_chunk_next()) {
+      const std::string head(file_.take(kChunkHead));
+      const auto size = wav_value<std::uint32_t>(head, 4);
+      if (head.starts_with("data")) {
+        warn(
+            fmt::format("a second chunk of samples, of {} bytes, is left out; have "
+                        "them written in one chunk",
+                        size));
+      }
+      file_.skip(size);
+      skip_padding(size);
+    }
+    if (file_.left() == 0) return;
+    warn(fmt::format(
+        "{} bytes follow that are no chunk of a WAV file and are left out. Where they "
+        "are samples, the size of {} bytes in the header of the samples is wrong, as of "
+        "a recording above 4 GiB: sox --ignore-length IN.wav OUT.wav",
+        file_.left(), bytes));
   }
 
   Recordings read_samples(const WavFormat& format, std::uint64_t bytes) {
@@ -142,7 +212,24 @@ class WavReader {
       result.warnings.push_back({"file_truncated", path_ + ": ends within its samples"});
       bytes = file_.left();
     }
-    const std::size_t rows = bytes / format.row;
+    std::vector<std::vector<double>> values = read_rows(format, bytes / format.row);
+    const std::size_t part = bytes % format.row;
+    if (part != 0 && result.warnings.empty()) {
+      result.warnings.push_back(
+          {"samples_left_out",
+           fmt::format(
+               "{}, byte {}: {} of the {} bytes of the last sample of all channels are left "
+               "out; the size of the samples in the header is wrong",
+               path_, file_.offset(), part, format.row)});
+    }
+    file_.skip(part);
+    read_rest(bytes, result.warnings);
+    result.recordings.push_back(recording_of(format, values));
+    check_foreign(result.recordings.front(), path_, result.warnings);
+    return result;
+  }
+
+  std::vector<std::vector<double>> read_rows(const WavFormat& format, std::size_t rows) {
     std::vector<std::vector<double>> values(format.channels);
     for (auto& channel : values) channel.resize(rows);
     const ConvertBytes convert = converter_of(format);
@@ -154,9 +241,7 @@ class WavReader {
       }
       done += count;
     });
-    result.recordings.push_back(recording_of(format, values));
-    check_foreign(result.recordings.front(), path_, result.warnings);
-    return result;
+    return values;
   }
 
   [[nodiscard]] Recording recording_of(const WavFormat& format,
