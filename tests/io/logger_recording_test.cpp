@@ -9,8 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -135,22 +137,23 @@ constexpr std::uint32_t kAll = kMetadata | kNewList | kRaw;
 // Two chunks of a segment, then a segment that states nothing again, then one that says "as
 // before".
 TEST_F(Tdms, JoinsSegmentsAndChunks) {
-  const std::string file = segment(kAll,
-                                   {object("/", kNone, {word("operator", "me")}),
-                                    object(kForcePath, index_of(kDouble, 2), waveform(0.5, "kN")),
-                                    object(kAccPath, index_of(kI16, 1), waveform(0.5, "g"))},
-                                   values<double>({1, 2}) + values<std::int16_t>({7}) +
-                                       values<double>({3, 4}) + values<std::int16_t>({8})) +
-                           segment(kRaw, {}, values<double>({5, 6}) + values<std::int16_t>({9})) +
-                           segment(kMetadata | kRaw, {object(kForcePath, kSame, {})},
-                                   values<double>({7, 8}) + values<std::int16_t>({10}));
+  const std::string file =
+      segment(kAll,
+              {object("/", kNone, {word("operator", "me")}),
+               object(kForcePath, index_of(kDouble, 2), waveform(0.5, "kN")),
+               object(kAccPath, index_of(kI16, 2), waveform(0.5, "g"))},
+              values<double>({1, 2}) + values<std::int16_t>({7, 8}) + values<double>({3, 4}) +
+                  values<std::int16_t>({9, 10})) +
+      segment(kRaw, {}, values<double>({5, 6}) + values<std::int16_t>({0, 0})) +
+      segment(kMetadata | kRaw, {object(kForcePath, kSame, {})},
+              values<double>({7, 8}) + values<std::int16_t>({0, 11}));
   const Recordings read = this->read(file);
   ASSERT_EQ(read.recordings.size(), 1U);
   const Recording& recording = read.recordings[0];
   EXPECT_EQ(recording.axis.step, 0.5);
-  EXPECT_EQ(recording.channel("force").values, (std::vector<double>{1e3, 2e3, 3e3, 4e3}))
-      << "cut to what both have";
-  EXPECT_EQ(read.warnings.at(0).code, "channels_cut");
+  EXPECT_EQ(recording.channel("force").values,
+            (std::vector<double>{1e3, 2e3, 3e3, 4e3, 5e3, 6e3, 7e3, 8e3}));
+  EXPECT_DOUBLE_EQ(recording.channel("it's acc").values[7], 11 * 9.80665);
   EXPECT_DOUBLE_EQ(recording.channel("it's acc").values[3], 10 * 9.80665);
 }
 
@@ -310,30 +313,159 @@ TEST_F(Tdms, LeavesOutScalesInACircle) {
             std::string::npos);
 }
 
-/// A time stamp of so many half seconds behind some day.
-std::string stamp(const std::string& name, std::uint64_t halves) {
+/// A time stamp of so many half seconds behind some day, and of 2^-64 s.
+std::string stamp(const std::string& name, std::uint64_t halves, std::uint64_t fraction = 0) {
   return Bytes()
       .text(name)
       .u32(0x44)
-      .add(std::uint64_t{halves % 2 << 63U})
+      .add(std::uint64_t{(halves % 2 << 63U) + fraction})
       .add(std::int64_t{3'800'000'000} + static_cast<std::int64_t>(halves / 2))
       .str();
 }
 
+std::string rising(std::size_t count) {
+  std::vector<std::int16_t> all(count);
+  std::iota(all.begin(), all.end(), std::int16_t{0});
+  return values(all);
+}
+
+std::vector<std::string> codes_of(const Recordings& read) {
+  std::vector<std::string> codes;
+  for (const Warning& warning : read.warnings) codes.push_back(warning.code);
+  return codes;
+}
+
+using Codes = std::vector<std::string>;
+
 TEST_F(Tdms, CutsChannelsThatStartApartToTheirCommonTime) {
   std::vector<std::string> early = waveform(0.5, "N");
   early.push_back(stamp("wf_start_time", 1));
-  std::vector<std::string> late = waveform(0.5, "m");
+  std::vector<std::string> late = waveform(0.5, "V");
   late.push_back(stamp("wf_start_time", 3));
   const Recordings read = this->read(segment(
       kAll,
-      {object(kForcePath, index_of(kI16, 4), early), object(kAccPath, index_of(kI16, 4), late)},
-      values<std::int16_t>({1, 2, 3, 4, 5, 6, 7, 8})));
+      {object(kForcePath, index_of(kI16, 24), early), object(kAccPath, index_of(kI16, 24), late)},
+      rising(24) + rising(24)));
   ASSERT_EQ(read.recordings.size(), 1U);
   EXPECT_EQ(read.recordings[0].axis.start, 1.0);
-  EXPECT_EQ(read.recordings[0].channel("force").values, (std::vector<double>{3, 4}));
-  EXPECT_EQ(read.recordings[0].channel("it's acc").values, (std::vector<double>{5, 6}));
-  EXPECT_EQ(read.warnings.at(0).code, "channels_cut");
+  EXPECT_EQ(read.recordings[0].size(), 22U);
+  EXPECT_EQ(read.recordings[0].channel("force").values.front(), 2.0);
+  EXPECT_EQ(read.recordings[0].channel("it's acc").values.back(), 21.0);
+  EXPECT_EQ(codes_of(read), Codes{"channels_cut"});
+}
+
+// A marker of few points does not cut what the others have: at most a tenth of the longest.
+TEST_F(Tdms, KeepsShortChannelsApart) {
+  for (const std::size_t count : {5U, 35U, 37U}) {
+    const Recordings read =
+        this->read(segment(kAll,
+                           {object(kForcePath, index_of(kI16, 40), waveform(1e-3, "N")),
+                            object("/'Run'/'marker'", index_of(kI16, count), waveform(1e-3, "V")),
+                            object(kAccPath, index_of(kI16, 40), waveform(1e-3, "g"))},
+                           rising(40) + rising(count) + rising(40)));
+    if (count == 37) {
+      EXPECT_EQ(read.recordings.at(0).channels.size(), 3U);
+      EXPECT_EQ(read.recordings[0].size(), 37U);
+      EXPECT_EQ(codes_of(read), Codes{"channels_cut"});
+      continue;
+    }
+    ASSERT_EQ(read.recordings.size(), 2U);
+    EXPECT_EQ(read.recordings[0].channel("force").values.size(), 40U);
+    EXPECT_EQ(read.recordings[0].channel("it's acc").values.size(), 40U);
+    EXPECT_EQ(read.recordings[1].channel("marker").values.size(), count);
+    EXPECT_EQ(codes_of(read), Codes{"channels_apart"});
+    EXPECT_NE(read.warnings[0].text.find("'marker'"), std::string::npos);
+  }
+}
+
+// Steps that differ by the rounding of a division, and stamps of whole microseconds.
+TEST_F(Tdms, TakesRoundedStepsAndStartsTogether) {
+  const double step = 1.0 / 51200;
+  const auto microseconds = [](double count) {
+    return static_cast<std::uint64_t>(std::ldexp(count * 1e-6, 64));
+  };
+  const auto count = [&](double other, double later) {
+    std::vector<std::string> first = waveform(step, "N");
+    first.push_back(stamp("wf_start_time", 0));
+    std::vector<std::string> second = waveform(other, "g");
+    second.push_back(stamp("wf_start_time", 0, microseconds(later)));
+    const Recordings read = this->read(segment(kAll,
+                                               {object(kForcePath, index_of(kI16, 20), first),
+                                                object(kAccPath, index_of(kI16, 20), second)},
+                                               rising(20) + rising(20)));
+    EXPECT_EQ(codes_of(read), read.recordings.size() == 1 ? Codes{} : Codes{"channels_apart"});
+    return read.recordings.size();
+  };
+  EXPECT_EQ(count(std::nextafter(step, 1.0), 0), 1U);
+  EXPECT_EQ(count(step * (1 + 1e-9), 0), 1U);
+  EXPECT_EQ(count(step, 1.9), 1U);
+  EXPECT_EQ(count(step, 2.5), 2U);
+  EXPECT_EQ(count(step * 1.01, 0), 2U);
+}
+
+// A property of the waveform, NI, "Channel properties": wf_xunit_string is the unit of the x axis.
+TEST_F(Tdms, TakesTheUnitOfTheAxis) {
+  const auto file = [](const std::string& unit) {
+    return segment(kAll,
+                   {object(kForcePath, index_of(kI16, 4),
+                           {number("wf_increment", 1.5), number("wf_start_offset", 2),
+                            word("wf_xunit_string", unit)})},
+                   rising(4));
+  };
+  const auto axis = [&](const std::string& unit) { return read(file(unit)).recordings.at(0).axis; };
+  EXPECT_EQ(axis("kHz"), (Axis{.dimension = kFrequency, .start = 2000, .step = 1500}));
+  EXPECT_DOUBLE_EQ(axis("ms").step, 1.5e-3);
+  EXPECT_DOUBLE_EQ(axis("ms").start, 2e-3);
+  EXPECT_EQ(axis("min").step, 90.0);
+  EXPECT_EQ(axis(""), (Axis{.start = 2, .step = 1.5}));
+  EXPECT_EQ(axis("s"), axis(""));
+  EXPECT_NE(message(file("mm")).find("over 'mm', not over a time or frequency"), std::string::npos);
+  EXPECT_NE(message(file("blob")).find("'blob', an unknown unit"), std::string::npos);
+}
+
+TEST_F(Tdms, WarnsOfPropertiesThatChange) {
+  const auto codes = [&](const std::vector<std::string>& before, const std::string& after) {
+    return codes_of(
+        read(segment(kAll, {object(kForcePath, index_of(kI16, 4), before)}, rising(4)) +
+             segment(kMetadata | kRaw, {object(kForcePath, kSame, {after})}, rising(4))));
+  };
+  const std::vector<std::string> step = waveform(0.5, "N");
+  EXPECT_EQ(codes(step, number("wf_increment", 0.25)), Codes{"properties_change"});
+  EXPECT_EQ(codes(step, number("wf_increment", 0.5)), Codes{});
+  EXPECT_EQ(codes(step, word("unit_string", "kN")), Codes{"properties_change"});
+  EXPECT_EQ(codes(step, word("operator", "me")), Codes{});
+  std::vector<std::string> started = step;
+  started.push_back(stamp("wf_start_time", 2));
+  EXPECT_EQ(codes(started, stamp("wf_start_time", 6)), Codes{}) << "goes on where it ended";
+  EXPECT_EQ(codes(started, stamp("wf_start_time", 26)), Codes{"properties_change"});
+}
+
+TEST_F(Tdms, WarnsOfAChannelThatDoesNotSayWhenItBegins) {
+  std::vector<std::string> started = waveform(0.5, "N");
+  started.push_back(stamp("wf_start_time", 2));
+  const Recordings read =
+      this->read(segment(kAll,
+                         {object(kForcePath, index_of(kI16, 4), started),
+                          object(kAccPath, index_of(kI16, 4), waveform(0.5, "g"))},
+                         rising(4) + rising(4)));
+  EXPECT_EQ(codes_of(read), Codes{"start_time_missing"});
+  EXPECT_NE(read.warnings[0].text.find("it's acc"), std::string::npos);
+}
+
+TEST_F(Tdms, WarnsWhereTimesContradictARate) {
+  const auto read_with = [&](const std::string& property) {
+    return read(segment(kAll,
+                        {object("/'Run'/'Time'", index_of(kDouble, 3), {}),
+                         object(kForcePath, index_of(kI16, 3), {property})},
+                        values<double>({1.0, 1.25, 1.5}) + rising(3)));
+  };
+  EXPECT_EQ(codes_of(read_with(number("fs", 4))), Codes{});
+  const Recordings rate = read_with(number("fs", 5));
+  EXPECT_EQ(codes_of(rate), Codes{"rate_contradicts"});
+  EXPECT_EQ(rate.recordings.at(0).axis.step, 0.25);
+  const Recordings increment = read_with(number("wf_increment", 0.2));
+  EXPECT_EQ(codes_of(increment), Codes{"rate_contradicts"});
+  EXPECT_EQ(increment.recordings.at(0).axis.step, 0.2);
 }
 
 TEST_F(Tdms, KeepsChannelsApartWhoseSamplesAreNotTogether) {
@@ -357,6 +489,89 @@ TEST_F(Tdms, TakesTimesFromAChannel) {
                          values<double>({1.0, 1.25, 1.5}) + values<std::int16_t>({1, 2, 3})));
   EXPECT_EQ(read.recordings.at(0).axis.start, 1.0);
   EXPECT_EQ(read.recordings[0].axis.step, 0.25);
+}
+
+constexpr std::uint32_t kExtended = 11;
+
+TEST_F(Tdms, LeavesOutTypesThatItDoesNotRead) {
+  const std::string extended = Bytes().text("p").u32(kExtended).raw(std::string(16, '\1')).str();
+  const std::string nothing = Bytes().text("q").u32(0).str();
+  std::vector<std::string> properties = waveform(1e-3, "N");
+  properties.insert(properties.end(), {extended, nothing});
+  const Recordings read =
+      this->read(segment(kAll,
+                         {object(kAccPath, index_of(kExtended, 3), waveform(1e-3, "g")),
+                          object(kForcePath, index_of(kI16, 3), properties)},
+                         std::string(48, '\1') + rising(3)));
+  EXPECT_EQ(read.recordings.at(0).channel("force").values, (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(codes_of(read), Codes{"channel_left_out"});
+  EXPECT_NE(read.warnings[0].text.find("extended precision"), std::string::npos);
+}
+
+// npTDMS 1.10, daqmx.py: scalers of the types 8 and 9 are of single and double precision.
+TEST_F(Tdms, ReadsScalersOfFloatingPointNumbers) {
+  const auto read_as = [&](std::uint32_t type, const std::string& bytes) {
+    const std::string index = Bytes()
+                                  .u32(0x1269)
+                                  .u32(0xFFFFFFFF)
+                                  .u32(1)
+                                  .add(std::uint64_t{2})
+                                  .u32(1)
+                                  .u32(type)
+                                  .u32(0)
+                                  .u32(0)
+                                  .u32(0)
+                                  .u32(0)
+                                  .u32(1)
+                                  .u32(static_cast<std::uint32_t>(bytes.size() / 2))
+                                  .str();
+    return message_of<Error>([&] {
+      const Recordings read =
+          this->read(segment(kAll | kDaqmx, {object(kForcePath, index, waveform(1, "N"))}, bytes));
+      EXPECT_EQ(read.recordings.at(0).channel("force").values, (std::vector<double>{1.5, -2}));
+    });
+  };
+  EXPECT_EQ(read_as(8, values<float>({1.5F, -2})), "no error");
+  EXPECT_EQ(read_as(9, values<double>({1.5, -2})), "no error");
+  EXPECT_NE(read_as(12, values<double>({1.5, -2})).find("the type 12 of DAQmx"), std::string::npos);
+}
+
+// As npTDMS, which warns: what is whole is read.
+TEST_F(Tdms, ReadsWholeChunksWhereTheLastIsNot) {
+  const std::string file =
+      segment(kAll, {object(kForcePath, index_of(kI16, 4), waveform(1, "N"))}, rising(10));
+  EXPECT_NE(message(file).find("allow_truncated"), std::string::npos);
+  const Recordings read = this->read(file, {.allow_truncated = true});
+  EXPECT_EQ(read.recordings.at(0).size(), 8U);
+  EXPECT_EQ(codes_of(read), Codes{"file_truncated"});
+  EXPECT_NE(read.warnings[0].text.find("4 bytes"), std::string::npos);
+}
+
+TEST_F(Tdms, KnowsEmptyNamesFromTheFileItself) {
+  const Recordings read = this->read(segment(
+      kAll,
+      {object("/", kNone, {word("of", "file")}), object("/''", kNone, {word("of", "group")}),
+       object("/''/'x'", index_of(kI16, 4), waveform(1, "N"))},
+      rising(4)));
+  EXPECT_EQ(read.recordings.at(0).channel("x").values.size(), 4U);
+  EXPECT_EQ(read.recordings[0].attributes, (Attributes{{"of", "group"}}));
+}
+
+// "The TDMS File Format", Object list: an object that is without values in a segment comes last
+// when it has some again.
+TEST_F(Tdms, TakesObjectsOffTheListAndPutsThemBack) {
+  const Recordings read = this->read(
+      segment(kAll,
+              {object(kForcePath, index_of(kI16, 2), waveform(1, "N")),
+               object(kAccPath, index_of(kI16, 2), waveform(1, "m"))},
+              values<std::int16_t>({1, 2, 11, 12})) +
+      segment(kMetadata | kRaw, {object(kForcePath, kNone, {})}, values<std::int16_t>({13, 14})) +
+      segment(kMetadata | kRaw, {object(kForcePath, kSame, {})},
+              values<std::int16_t>({15, 16, 3, 4})));
+  ASSERT_EQ(read.recordings.size(), 2U);
+  EXPECT_EQ(read.recordings[0].channel("force").values, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(read.recordings[1].channel("it's acc").values,
+            (std::vector<double>{11, 12, 13, 14, 15, 16}));
 }
 
 TEST_F(Tdms, SaysWhatIsDamagedOrMissing) {

@@ -26,6 +26,8 @@ namespace microslip {
 struct TdmsTime {
   std::int64_t seconds = 0;
   std::uint64_t fraction = 0;
+
+  friend bool operator==(const TdmsTime&, const TdmsTime&) = default;
 };
 
 /// s from one to the other.
@@ -49,22 +51,35 @@ struct TdmsSource {
 };
 
 struct TdmsObject {
-  std::string group;    ///< empty: the file itself
-  std::string channel;  ///< empty: a group
+  enum class Kind { kFile, kGroup, kChannel };
+
+  Kind kind = Kind::kFile;
+  std::string group;    ///< also that of a channel; may be empty
+  std::string channel;  ///< may be empty
   TdmsProperties properties = {};
   std::vector<TdmsSource> sources = {};
   bool is_daqmx = false;
   std::vector<TdmsTime> times = {};  ///< of a channel of time stamps
   std::string other = {};            ///< in words, of values that are neither numbers nor times
+  /// The first property on which the values depend, in words, that a later segment states
+  /// otherwise. The last statement counts, but of wf_start_time the first one.
+  std::string change = {};
+
+  /// How many values there are, stored.
+  [[nodiscard]] std::size_t size() const {
+    return sources.empty() ? times.size() : sources.front().values.size();
+  }
 };
 
 struct TdmsContents {
   std::vector<TdmsObject> objects;  ///< in the order of the file
   bool truncated = false;           ///< it ends within a segment, whose last values are left out
+  std::uint64_t part_chunks = 0;    ///< bytes left out behind the last whole chunks of segments
 };
 
 /// @throws FileError    where it cannot be read.
-/// @throws FormatError  where it is damaged, or ends early and that is not allowed.
+/// @throws FormatError  where it is damaged, or ends early, or a segment ends within a chunk, and
+///                      that is not allowed.
 /// @throws Cancelled    where the progress callback says so.
 [[nodiscard]] TdmsContents read_tdms(const std::string& path, bool allow_truncated,
                                      const Progress& progress);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/character_set.hpp"
 #include "microslip/io/loggers/byte_values.hpp"
+#include "microslip/io/loggers/piece_reader.hpp"
 
 namespace microslip {
 namespace {
@@ -18,6 +20,9 @@ constexpr std::uint32_t kNoValues = 0xFFFFFFFF;
 constexpr std::uint32_t kSameAsBefore = 0;
 constexpr std::uint32_t kFormatChanging = 0x1269;
 constexpr std::uint32_t kDigitalLine = 0x126A;
+constexpr std::uint32_t kVoid = 0;  ///< a property without value
+constexpr std::string_view kSaveOtherwise =
+    "Let LabVIEW or DIAdem save it as numbers of double precision.";
 
 /// Takes the bytes of metadata one after the other.
 class MetadataCursor {
@@ -42,9 +47,9 @@ class MetadataCursor {
     return bytes_.substr(at_ - size, size);
   }
 
-  [[noreturn]] void fail(std::string_view expected, std::string_view found) const {
-    throw FormatError({.file = fmt::format("{} + {}", place_, at_)}, expected, found,
-                      "The file is damaged; save or copy it again.");
+  [[noreturn]] void fail(std::string_view expected, std::string_view found,
+                         std::string_view remedy = PieceReader::kDamaged) const {
+    throw FormatError({.file = fmt::format("{} + {}", place_, at_)}, expected, found, remedy);
   }
 
  private:
@@ -61,6 +66,8 @@ TdmsTime parse_time(MetadataCursor& from) {
 TdmsValue parse_value(MetadataCursor& from) {
   const auto type = from.value<std::uint32_t>();
   switch (type) {
+    case kVoid:
+      return std::string{};
     case 1:
       return static_cast<double>(from.value<std::int8_t>());
     case 2:
@@ -90,7 +97,9 @@ TdmsValue parse_value(MetadataCursor& from) {
       return parse_time(from);
     default:
       (void)from.take(tdms_size(type));
-      if (tdms_size(type) == 0) from.fail("a property of a known type", fmt::format("{}", type));
+      if (tdms_size(type) == 0) {
+        from.fail("a property of a known type", fmt::format("{}", type), kSaveOtherwise);
+      }
       return std::string{};
   }
 }
@@ -114,10 +123,8 @@ void parse_daqmx(MetadataCursor& from, TdmsIndex& index, bool is_digital) {
   }
   if (index.scalers.empty() || index.widths.empty()) from.fail("scalers of DAQmx", "none");
   for (const DaqmxScaler& scaler : index.scalers) {
-    const std::uint32_t types = scaler.is_digital ? 6 : 8;
-    if (scaler.type >= types) from.fail("a type of DAQmx", fmt::format("{}", scaler.type));
     const std::size_t first = scaler.is_digital ? scaler.offset / 8 : scaler.offset;
-    const std::size_t size = std::size_t{1} << (scaler.type / 2);
+    const std::size_t size = tdms_size(tdms_type_of_daqmx(scaler.type));
     const bool fits =
         scaler.buffer < index.widths.size() && first + size <= index.widths[scaler.buffer];
     if (!fits) from.fail("values within their row", fmt::format("byte {}", first));
@@ -135,7 +142,7 @@ TdmsIndex parse_index(MetadataCursor& from, std::uint32_t header) {
   } else if (index.type == kTdmsText) {
     index.bytes = from.value<std::uint64_t>();
   } else if (tdms_size(index.type) == 0) {
-    from.fail("values of a known type", fmt::format("type {}", index.type));
+    from.fail("values of a known type", fmt::format("type {}", index.type), kSaveOtherwise);
   }
   return index;
 }
@@ -164,6 +171,11 @@ const Value* find_property(const TdmsProperties& properties, std::string_view na
 
 }  // namespace
 
+std::uint32_t tdms_type_of_daqmx(std::uint32_t type) {
+  constexpr std::array<std::uint32_t, 10> kTypes{5, 1, 6, 2, 7, 3, 8, 4, 9, 10};
+  return type < kTypes.size() ? kTypes[type] : 0;
+}
+
 std::size_t tdms_size(std::uint32_t type) {
   switch (type) {
     case 1:
@@ -184,6 +196,8 @@ std::size_t tdms_size(std::uint32_t type) {
     case 0x1A:
     case 0x08000C:  // complex, two of single precision
       return 8;
+    case kTdmsExtended:
+    case kTdmsExtendedWithUnit:
     case kTdmsTime:
     case 0x10000D:  // complex, two of double precision
       return 16;

@@ -16,7 +16,7 @@ namespace microslip {
 
 /// Where in a row of bytes the values of one source of a channel of DAQmx lie.
 struct DaqmxScaler {
-  std::uint32_t type = 0;    ///< of DAQmx: 0 is U8, 1 I8, 2 U16, …, 7 I64
+  std::uint32_t type = 0;    ///< of DAQmx
   std::uint32_t buffer = 0;  ///< which of the blocks of rows
   std::uint32_t offset = 0;  ///< bytes; bits of a digital line
   std::uint32_t id = 0;      ///< of the source
@@ -35,8 +35,14 @@ struct TdmsIndex {
 };
 
 /// Types of values.
+inline constexpr std::uint32_t kTdmsExtended = 0x0B;  ///< 16 bytes, which are not read
+inline constexpr std::uint32_t kTdmsExtendedWithUnit = 0x1B;
 inline constexpr std::uint32_t kTdmsText = 0x20;
 inline constexpr std::uint32_t kTdmsTime = 0x44;
+
+/// The type of the values of a source of DAQmx: of 0 U8, 1 I8, 2 U16, …, 7 I64, 8 single and 9
+/// double precision. 0 where it is not known.
+[[nodiscard]] std::uint32_t tdms_type_of_daqmx(std::uint32_t type);
 
 /// Bytes of a value of this type; 0 where it has no fixed number of them or is not known.
 [[nodiscard]] std::size_t tdms_size(std::uint32_t type);

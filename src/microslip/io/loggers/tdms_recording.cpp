@@ -10,15 +10,13 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/loggers/logger_recording.hpp"
+#include "microslip/io/loggers/tdms_axes.hpp"
 #include "microslip/io/loggers/tdms_contents.hpp"
 #include "microslip/io/loggers/tdms_scaling.hpp"
 #include "microslip/io/recordings/sampling.hpp"
 
 namespace microslip {
 namespace {
-
-/// Starts of channels are whole steps apart where they are by this part of a step.
-constexpr double kWholeSteps = 1e-3;
 
 constexpr std::string_view kLeftOut = "channel_left_out";
 
@@ -51,46 +49,44 @@ Attributes attributes_of(const TdmsProperties& properties) {
   return attributes;
 }
 
-/// A channel with its values in its unit.
-struct LoggedChannel {
-  const TdmsObject* object;
-  Channel channel;
-  std::optional<Axis> axis = {};  ///< of its own
+/// The names between commas, of many the first ones.
+std::string first_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 5;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < kMost; ++i) {
+    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
+  }
+  return names.size() <= kMost ? text : text + fmt::format(" and {} more", names.size() - kMost);
+}
+
+const TdmsProperties kNoProperties;
+
+struct TdmsGroup {
+  std::string name;
+  const TdmsProperties* properties = &kNoProperties;
+  std::vector<TdmsObject*> channels = {};
 };
 
-/// Cuts channels of the same step that begin whole steps apart to what they have in common.
-/// @return  whether any was cut.
-bool align(std::vector<LoggedChannel>& channels) {
-  double start = -std::numeric_limits<double>::infinity();
-  double end = std::numeric_limits<double>::infinity();
-  const Axis* first = nullptr;
-  for (const LoggedChannel& logged : channels) {
-    if (!logged.axis) return false;
-    const Axis& axis = *logged.axis;
-    if (first == nullptr) first = &axis;
-    const double apart = (axis.start - first->start) / axis.step;
-    if (axis.step != first->step || axis.dimension != first->dimension ||
-        !(std::abs(apart - std::round(apart)) < kWholeSteps)) {
-      return false;
-    }
-    start = std::max(start, axis.start);
-    end = std::min(end, axis.at(logged.channel.values.size()));
+/// What the channels of a group have in common.
+struct GroupAxes {
+  const TdmsProperties* outer;
+  const TdmsProperties* outermost;
+  std::optional<PointsAxis> points = {};
+  std::string name_of_points = {};
+  std::optional<TdmsTime> earliest = {};
+  bool has_warned = false;  ///< of a rate that contradicts the points
+};
+
+/// By an interval or a rate of the channel, its group or the file; nothing where there is none.
+std::optional<double> stated_step(const TdmsProperties& own, const GroupAxes& axes,
+                                  const std::string& place) {
+  for (const TdmsProperties* properties : {&own, axes.outer, axes.outermost}) {
+    const double* const step = number_of(*properties, kStepNames);
+    if (step != nullptr && *step > 0.0) return *step;
+    const double* const rate = number_of(*properties, kRateNames);
+    if (rate != nullptr) return step_of_rate(*rate, place);
   }
-  if (first == nullptr) return false;
-  const double step = first->step;
-  const double count = std::round((end - start) / step);
-  if (!(count >= 2.0)) return false;
-  bool is_cut = false;
-  for (LoggedChannel& logged : channels) {
-    const double before = std::round((start - logged.axis->start) / step);
-    std::vector<double>& values = logged.channel.values;
-    if (before == 0.0 && static_cast<double>(values.size()) == count) continue;
-    is_cut = true;
-    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(before));
-    values.resize(static_cast<std::size_t>(count));
-  }
-  for (LoggedChannel& logged : channels) logged.axis->start = start;
-  return is_cut;
+  return std::nullopt;
 }
 
 class TdmsGroups {
@@ -99,63 +95,119 @@ class TdmsGroups {
       : path_(path), contents_(std::move(contents)) {}
 
   Recordings read(bool allow_untimed) {
-    std::vector<std::string> groups;
-    for (const TdmsObject& object : contents_.objects) {
-      if (object.channel.empty()) continue;
-      if (std::ranges::find(groups, object.group) == groups.end()) groups.push_back(object.group);
-    }
-    for (const std::string& group : groups) read_group(group, allow_untimed);
+    for (const TdmsGroup& group : groups()) read_group(group, allow_untimed);
     if (result_.recordings.empty()) fail_without_recording();
     warn_without_rate(without_axis_, result_.warnings);
     if (contents_.truncated) {
       result_.warnings.push_back({"file_truncated", path_ + ": ends within a segment, of which "
                                                             "the last values are left out"});
     }
+    if (contents_.part_chunks > 0) {
+      result_.warnings.push_back(
+          {"file_truncated",
+           fmt::format("{}: {} bytes of values that are no whole chunk are left out", path_,
+                       contents_.part_chunks)});
+    }
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] const TdmsProperties& properties_of(const std::string& group) const {
-    static const TdmsProperties kNone;
-    const auto found = std::ranges::find_if(contents_.objects, [&](const TdmsObject& object) {
-      return object.channel.empty() && object.group == group;
-    });
-    return found == contents_.objects.end() ? kNone : found->properties;
+  /// Those with channels, in the order of the file.
+  std::vector<TdmsGroup> groups() {
+    std::vector<TdmsGroup> groups;
+    std::map<std::string, std::size_t, std::less<>> places;
+    for (TdmsObject& object : contents_.objects) {
+      if (object.kind == TdmsObject::Kind::kFile) {
+        outermost_ = &object.properties;
+        continue;
+      }
+      const auto [place, is_new] = places.try_emplace(object.group, groups.size());
+      if (is_new) groups.push_back({.name = object.group});
+      TdmsGroup& group = groups[place->second];
+      if (object.kind == TdmsObject::Kind::kChannel) {
+        group.channels.push_back(&object);
+      } else {
+        group.properties = &object.properties;
+      }
+    }
+    return groups;
   }
 
   [[nodiscard]] std::string place_of(const TdmsObject& object) const {
     return fmt::format("{}: {}", path_, in_quotes(object.group + "/" + object.channel, 80));
   }
 
-  void read_group(const std::string& group, bool allow_untimed) {
-    const TdmsProperties& outer = properties_of(group);
-    const TdmsProperties& outermost = properties_of("");
+  void read_group(const TdmsGroup& group, bool allow_untimed) {
+    GroupAxes axes{.outer = group.properties, .outermost = outermost_};
+    std::vector<LoggedChannel> read;
+    for (TdmsObject* const object : group.channels) read_channel(*object, axes, read);
     std::vector<LoggedChannel> channels;
-    std::optional<PointsAxis> points;
-    std::optional<TdmsTime> earliest;
-    for (TdmsObject& object : contents_.objects) {
-      if (object.group != group || object.channel.empty()) continue;
-      if (!points && !object.times.empty()) points = points_of_times(object);
-      ScaledValues scaled = scaled_values(object, {&object.properties, &outer, &outermost});
-      if (!scaled.fault.empty() || !object.other.empty()) {
-        warn_left_out(object, scaled.fault.empty() ? object.other : scaled.fault);
-      } else if (!points && is_points(object, scaled.values)) {
-        points = axis_of_points(
-            {std::move(scaled.values), unit_of(object.properties), kTime, place_of(object)}, {});
-      } else if (scaled.values.size() > 1) {
-        channels.push_back({&object, {}});
-        channels.back().channel.values = std::move(scaled.values);
-        const TdmsTime* const start = object.properties.time("wf_start_time");
-        if (start != nullptr && (!earliest || seconds_between(*start, *earliest) > 0.0)) {
-          earliest = *start;
-        }
+    for (LoggedChannel& logged : read) {
+      name(logged);
+      WaveformAxis own = waveform_axis(logged.object->properties, axes.earliest);
+      if (!own.fault.empty()) {
+        warn_left_out(*logged.object, own.fault, "state wf_xunit_string in s or Hz");
+        continue;
+      }
+      const bool has_own = own.axis.has_value();
+      logged.axis = has_own ? std::move(own.axis) : axis_of_group(logged, axes);
+      if (has_own) warn_beside_points(logged, axes);
+      channels.push_back(std::move(logged));
+    }
+    warn_without_start(channels, axes);
+    add_channels(group, channels, allow_untimed);
+  }
+
+  void read_channel(TdmsObject& object, GroupAxes& axes, std::vector<LoggedChannel>& channels) {
+    if (!axes.points && !object.times.empty()) {
+      axes.points = points_of_times(object);
+      axes.name_of_points = object.channel;
+    }
+    ScaledValues scaled = scaled_values(object, {&object.properties, axes.outer, axes.outermost});
+    if (!scaled.fault.empty() || !object.other.empty()) {
+      warn_left_out(object, scaled.fault.empty() ? object.other : scaled.fault,
+                    "let LabVIEW or DIAdem save it as numbers in its unit");
+    } else if (!axes.points && is_points(object, scaled.values)) {
+      axes.points = axis_of_points(
+          {std::move(scaled.values), unit_of(object.properties), kTime, place_of(object)}, {});
+      axes.name_of_points = object.channel;
+    } else if (scaled.values.size() > 1) {
+      channels.push_back({&object, {}});
+      channels.back().channel.values = std::move(scaled.values);
+      const TdmsTime* const start = object.properties.time("wf_start_time");
+      if (start != nullptr && (!axes.earliest || seconds_between(*start, *axes.earliest) > 0.0)) {
+        axes.earliest = *start;
+      }
+      warn_of_change(object);
+    }
+  }
+
+  void warn_of_change(const TdmsObject& object) {
+    if (object.change.empty()) return;
+    result_.warnings.push_back(
+        {"properties_change",
+         fmt::format("{}: a later segment states another {}; the values of all segments are joined "
+                     "without gap, as one channel of the step, unit and scale that were stated "
+                     "last. Have each part written to a group of its own",
+                     place_of(object), object.change)});
+  }
+
+  /// Beside channels that state when they begin, one that does not may begin at any time.
+  void warn_without_start(const std::vector<LoggedChannel>& channels, const GroupAxes& axes) {
+    if (!axes.earliest) return;
+    std::vector<std::string> names;
+    for (const LoggedChannel& logged : channels) {
+      const bool is_over_time = logged.axis && logged.axis->dimension == kTime;
+      if (is_over_time && logged.object->properties.time("wf_start_time") == nullptr) {
+        names.push_back(logged.channel.name);
       }
     }
-    for (LoggedChannel& logged : channels) name(logged);
-    for (LoggedChannel& logged : channels) {
-      logged.axis = axis_of(logged, points, outer, outermost, earliest);
-    }
-    add_channels(group, outer, channels, allow_untimed);
+    if (names.empty()) return;
+    result_.warnings.push_back(
+        {"start_time_missing",
+         fmt::format("{}: {} without wf_start_time beside channels that state one; taken to begin "
+                     "with the earliest of them. State it for all channels",
+                     path_, first_of(names))});
   }
 
   void name(LoggedChannel& logged) {
@@ -165,12 +217,10 @@ class TdmsGroups {
     apply_unit(logged.channel, unit_of(properties), path_, result_.warnings);
   }
 
-  void warn_left_out(const TdmsObject& object, const std::string& reason) {
+  void warn_left_out(const TdmsObject& object, const std::string& reason, std::string_view remedy) {
     result_.warnings.push_back(
         {std::string(kLeftOut),
-         fmt::format(
-             "{}: left out, it has {}; let LabVIEW or DIAdem save it as numbers in its unit",
-             place_of(object), reason)});
+         fmt::format("{}: left out, it has {}; {}", place_of(object), reason, remedy)});
   }
 
   static bool is_points(const TdmsObject& object, const std::vector<double>& values) {
@@ -189,43 +239,58 @@ class TdmsGroups {
     return axis_of_points({std::move(points), "s", kTime, place_of(object)}, {});
   }
 
-  /// The axis that a channel states by itself, else that of its group.
-  std::optional<Axis> axis_of(const LoggedChannel& logged, const std::optional<PointsAxis>& points,
-                              const TdmsProperties& outer, const TdmsProperties& outermost,
-                              const std::optional<TdmsTime>& earliest) const {
-    const TdmsProperties& own = logged.object->properties;
-    const double* const increment = own.number("wf_increment");
-    if (increment != nullptr && *increment > 0.0 && std::isfinite(*increment)) {
-      Axis axis;
-      axis.step = *increment;
-      const double* const offset = own.number("wf_start_offset");
-      if (offset != nullptr) axis.start = *offset;
-      const TdmsTime* const start = own.time("wf_start_time");
-      if (start != nullptr) axis.start += seconds_between(*earliest, *start);
-      const std::string* const unit = own.text("wf_xunit_string");
-      const std::optional<Unit> known = unit == nullptr ? std::nullopt : find_unit(*unit);
-      if (known && known->dimension == kFrequency) axis.dimension = kFrequency;
-      return axis;
+  /// The axis of a channel that states no increment.
+  std::optional<Axis> axis_of_group(const LoggedChannel& logged, GroupAxes& axes) {
+    const std::string place = place_of(*logged.object);
+    const std::optional<double> step = stated_step(logged.object->properties, axes, place);
+    if (!axes.points || axes.points->points != logged.channel.values.size()) {
+      return step ? std::optional(even_axis({.step = *step})) : std::nullopt;
     }
-    if (points && points->points == logged.channel.values.size()) return points->axis;
-    for (const TdmsProperties* properties : {&own, &outer, &outermost}) {
-      const double* const step = number_of(*properties, kStepNames);
-      if (step != nullptr && *step > 0.0) return even_axis({.step = *step});
-      const double* const rate = number_of(*properties, kRateNames);
-      if (rate != nullptr)
-        return even_axis({.step = step_of_rate(*rate, place_of(*logged.object))});
-    }
-    return std::nullopt;
+    const auto warning = contradicting_rate(*axes.points, step, axes.name_of_points, place);
+    if (warning && !axes.has_warned) result_.warnings.push_back(*warning);
+    axes.has_warned = axes.has_warned || warning;
+    return axes.points->axis;
   }
 
-  void add_channels(const std::string& group, const TdmsProperties& outer,
-                    std::vector<LoggedChannel>& channels, bool allow_untimed) {
-    if (align(channels)) {
+  /// Where the increment of a channel contradicts times that the group has as well.
+  void warn_beside_points(const LoggedChannel& logged, GroupAxes& axes) {
+    constexpr double kSame = 0.01;  // as contradicting_rate()
+    if (axes.has_warned || !axes.points || axes.points->points != logged.channel.values.size()) {
+      return;
+    }
+    const Axis& points = axes.points->axis;
+    const Axis& own = *logged.axis;
+    const bool agrees = points.even() && std::abs(points.step - own.step) <= kSame * own.step;
+    if (points.dimension != own.dimension || agrees) return;
+    axes.has_warned = true;
+    result_.warnings.push_back(
+        {"rate_contradicts",
+         fmt::format(
+             "{}: wf_increment gives steps of {:.6g} s, and the times of {} are others; the "
+             "increment is used. Take out what is wrong",
+             place_of(*logged.object), own.step, in_quotes(axes.name_of_points))});
+  }
+
+  void align(const TdmsGroup& group, std::vector<LoggedChannel>& channels) {
+    const Alignment alignment = align_channels(channels);
+    if (alignment.is_cut) {
       result_.warnings.push_back(
           {"channels_cut", fmt::format("{}: the channels of {} do not begin and end together; "
                                        "they are cut to the time that all have",
-                                       path_, in_quotes(group, 80))});
+                                       path_, in_quotes(group.name, 80))});
     }
+    for (const ApartChannels& apart : alignment.apart) {
+      result_.warnings.push_back(
+          {"channels_apart",
+           fmt::format("{}: {} of {} in a recording apart: {}; a call that needs channels together "
+                       "takes them from one recording, so have them recorded alike",
+                       path_, first_of(apart.names), in_quotes(group.name, 80), apart.reason)});
+    }
+  }
+
+  void add_channels(const TdmsGroup& group, std::vector<LoggedChannel>& channels,
+                    bool allow_untimed) {
+    align(group, channels);
     const bool untimed =
         allow_untimed && std::ranges::none_of(channels, [](const LoggedChannel& logged) {
           return logged.axis.has_value();
@@ -238,11 +303,11 @@ class TdmsGroups {
         without_axis_.push_back({place_of(*logged.object)});
         continue;
       }
-      add_channel(recordings, file_name(path_) + ":" + group, *logged.axis,
+      add_channel(recordings, file_name(path_) + ":" + group.name, *logged.axis,
                   std::move(logged.channel), logged.object->channel);
     }
     for (Recording& recording : recordings) {
-      recording.attributes = attributes_of(outer);
+      recording.attributes = attributes_of(*group.properties);
       check_foreign(recording, path_, result_.warnings);
       result_.recordings.push_back(std::move(recording));
     }
@@ -259,6 +324,7 @@ class TdmsGroups {
 
   const std::string& path_;
   TdmsContents contents_;
+  const TdmsProperties* outermost_ = &kNoProperties;
   Recordings result_;
   std::vector<WithoutAxis> without_axis_;
 };

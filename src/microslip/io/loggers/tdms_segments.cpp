@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/io/loggers/byte_values.hpp"
 #include "microslip/io/loggers/piece_reader.hpp"
 #include "microslip/io/loggers/tdms_contents.hpp"
@@ -57,12 +59,6 @@ ConvertBytes converter_of(std::uint32_t type, bool swap) {
   }
 }
 
-/// That of DAQmx: 0 is U8, 1 I8, 2 U16, ….
-ConvertBytes converter_of_daqmx(std::uint32_t type, bool swap) {
-  constexpr std::array<std::uint32_t, 8> kTypes{5, 1, 6, 2, 7, 3, 8, 4};
-  return converter_of(kTypes.at(type), swap);
-}
-
 std::vector<double>& source_of(TdmsObject& object, std::uint32_t id) {
   const auto found = std::ranges::find(object.sources, id, &TdmsSource::scale_id);
   if (found != object.sources.end()) return found->values;
@@ -77,26 +73,43 @@ double* grown(std::vector<double>& values, std::size_t count) {
   return values.data() + (size - count);
 }
 
-/// "/'group'/'channel'", in which '' is an apostrophe.
-std::pair<std::string, std::string> names_of_path(const std::string& path) {
+/// "/", "/'group'" or "/'group'/'channel'", in which '' is an apostrophe.
+TdmsObject object_of_path(const std::string& path) {
   std::array<std::string, 2> names;
-  std::size_t part = 0;
+  std::size_t parts = 0;
   bool inside = false;
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (path[i] == '\'') {
       const bool twice = inside && i + 1 < path.size() && path[i + 1] == '\'';
       if (!twice) {
         inside = !inside;
+        if (inside) parts = std::min(parts + 1, names.size());
         continue;
       }
       ++i;
     } else if (!inside) {
-      if (path[i] == '/' && !names[0].empty()) part = 1;
       continue;
     }
-    names.at(part) += path[i];
+    names.at(parts - 1) += path[i];
   }
-  return {std::move(names[0]), std::move(names[1])};
+  return {.kind = static_cast<TdmsObject::Kind>(parts),
+          .group = std::move(names[0]),
+          .channel = std::move(names[1])};
+}
+
+/// Whether values that were read depend on this property.
+bool is_of_values(std::string_view name) {
+  constexpr std::array<std::string_view, 6> kNames{"wf_increment",       "wf_start_offset",
+                                                   "wf_xunit_string",    "unit_string",
+                                                   "NI_UnitDescription", "NI_Scaling_Status"};
+  return std::ranges::find(kNames, name) != kNames.end() || name.starts_with("NI_Scale[") ||
+         name == "NI_Number_Of_Scales";
+}
+
+std::string in_words(const TdmsValue& value) {
+  if (const double* const number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  const std::string* const text = std::get_if<std::string>(&value);
+  return text == nullptr ? "a time" : in_quotes(*text, 40);
 }
 
 /// A lead-in.
@@ -125,6 +138,7 @@ class TdmsReader {
   struct Active {
     std::size_t object;
     TdmsIndex index;
+    bool is_left_out = false;
   };
 
   void read_segment() {
@@ -132,12 +146,16 @@ class TdmsReader {
     const Segment segment = read_lead_in();
     if (segment.cut && !allow_truncated_) return end_early(segment.next);
     result_.truncated = segment.cut;
-    if (segment.has(kNewObjects)) active_.clear();
+    if (segment.has(kNewObjects)) {
+      active_.clear();
+      places_of_active_.clear();
+    }
     if (segment.has(kHasMetadata)) {
       if (segment.values > file_.left()) return end_early(segment.values);
       const std::string place = fmt::format("{}, byte {}", file_.name(), file_.offset());
       const std::string_view bytes = file_.take(segment.values);
       for (TdmsEntry& entry : parse_tdms_metadata(bytes, segment.swap, place)) take(entry);
+      leave_out();
     } else {
       file_.skip(std::min<std::size_t>(segment.values, file_.left()));
     }
@@ -177,8 +195,7 @@ class TdmsReader {
   std::size_t object_of(const std::string& path) {
     const auto [found, is_new] = places_.try_emplace(path, result_.objects.size());
     if (is_new) {
-      auto [group, channel] = names_of_path(path);
-      result_.objects.push_back({.group = std::move(group), .channel = std::move(channel)});
+      result_.objects.push_back(object_of_path(path));
     }
     return found->second;
   }
@@ -186,21 +203,59 @@ class TdmsReader {
   void take(TdmsEntry& entry) {
     const std::size_t object = object_of(entry.path);
     for (auto& [name, value] : entry.properties.all) {
-      result_.objects[object].properties.all.insert_or_assign(name, std::move(value));
+      take_property(result_.objects[object], name, std::move(value));
     }
     if (entry.has == TdmsEntry::Index::kNew) {
       known_.insert_or_assign(object, entry.index);
     } else if (entry.has == TdmsEntry::Index::kSame && !known_.contains(object)) {
       file_.fail("values described before", "an object without");
     }
-    const auto there = std::ranges::find(active_, object, &Active::object);
+    const auto there = places_of_active_.find(object);
     if (entry.has == TdmsEntry::Index::kNone) {
-      if (there != active_.end()) active_.erase(there);
-    } else if (there != active_.end()) {
-      there->index = known_.at(object);
+      if (there == places_of_active_.end()) return;
+      active_[there->second].is_left_out = true;
+      places_of_active_.erase(there);
+    } else if (there != places_of_active_.end()) {
+      active_[there->second].index = known_.at(object);
     } else {
+      places_of_active_.emplace(object, active_.size());
       active_.push_back({object, known_.at(object)});
     }
+  }
+
+  static void take_property(TdmsObject& object, const std::string& name, TdmsValue value) {
+    const auto known = object.properties.all.find(name);
+    const bool changes =
+        known != object.properties.all.end() && object.size() > 0 && known->second != value;
+    const bool is_start = name == "wf_start_time";
+    if (changes && object.change.empty()) {
+      if (is_start) object.change = gap_of(object, std::get_if<TdmsTime>(&value));
+      if (is_of_values(name)) {
+        object.change =
+            fmt::format("{} ({}, then {})", name, in_words(known->second), in_words(value));
+      }
+    }
+    if (changes && is_start) return;
+    object.properties.all.insert_or_assign(name, std::move(value));
+  }
+
+  /// In words, where values that begin at a time do not go on where those before them end; empty
+  /// where they do, by half a step.
+  static std::string gap_of(const TdmsObject& object, const TdmsTime* time) {
+    const TdmsTime* const first = object.properties.time("wf_start_time");
+    const double* const step = object.properties.number("wf_increment");
+    if (first == nullptr || time == nullptr) return "wf_start_time";
+    const double later = seconds_between(*first, *time);
+    const double end = step == nullptr ? 0.0 : *step * static_cast<double>(object.size());
+    if (step != nullptr && std::abs(later - end) <= 0.5 * *step) return {};
+    return fmt::format("wf_start_time ({} s later, where {} s were recorded before)", later, end);
+  }
+
+  /// Takes off the objects that a segment says have no values any more.
+  void leave_out() {
+    if (active_.size() == places_of_active_.size()) return;
+    std::erase_if(active_, &Active::is_left_out);
+    for (std::size_t i = 0; i < active_.size(); ++i) places_of_active_[active_[i].object] = i;
   }
 
   void read_values(const Segment& segment, std::size_t bytes) {
@@ -222,10 +277,16 @@ class TdmsReader {
 
   /// How often what a segment states fits into its values.
   [[nodiscard]] std::size_t chunks_of(const Segment& segment, std::size_t bytes,
-                                      std::size_t chunk) const {
+                                      std::size_t chunk) {
     if (chunk == 0) return 0;
-    if (bytes % chunk != 0 && !segment.cut) {
-      file_.fail(fmt::format("values of a multiple of {} bytes", chunk), fmt::format("{}", bytes));
+    const std::size_t part = bytes % chunk;
+    if (part != 0 && !segment.cut) {
+      if (!allow_truncated_) {
+        file_.fail(fmt::format("values of a multiple of {} bytes", chunk), fmt::format("{}", bytes),
+                   "Its last chunk is not whole: save it again, or read the whole ones with "
+                   "`allow_truncated`.");
+      }
+      result_.part_chunks += part;
     }
     return bytes / chunk;
   }
@@ -277,7 +338,9 @@ class TdmsReader {
   /// Null where the values of the type are no numbers.
   std::vector<double>* values_of(TdmsObject& object, std::uint32_t type) {
     if (converter_of(type, false) != nullptr) return &source_of(object, 0);
-    if (type != kTdmsTime) object.other = "complex numbers";
+    const bool is_extended = type == kTdmsExtended || type == kTdmsExtendedWithUnit;
+    if (type != kTdmsTime)
+      object.other = is_extended ? "numbers of extended precision" : "complex numbers";
     return nullptr;
   }
 
@@ -298,10 +361,7 @@ class TdmsReader {
       if (size == 0) file_.fail("interleaved numbers", "texts");
       width += size;
     }
-    const std::size_t rows = bytes / width;
-    if (bytes % width != 0 && !segment.cut) {
-      file_.fail(fmt::format("rows of {} bytes", width), fmt::format("{} bytes", bytes));
-    }
+    const std::size_t rows = chunks_of(segment, bytes, width);
     take_rows(file_, rows, width, [&](const char* from, std::size_t count) {
       for (const Active& active : active_) {
         TdmsObject& object = result_.objects[active.object];
@@ -351,9 +411,16 @@ class TdmsReader {
                   std::size_t width, std::size_t count, bool swap) {
     TdmsObject& object = result_.objects[active.object];
     object.is_daqmx = true;
+    const std::uint32_t type = tdms_type_of_daqmx(scaler.type);
+    const ConvertBytes convert = converter_of(type, swap);
+    const bool has_bits = type < 9;  // of integers
+    if (convert == nullptr || (scaler.is_digital && !has_bits)) {
+      object.other = fmt::format("values of the type {} of DAQmx", scaler.type);
+      return;
+    }
     const std::size_t first = scaler.is_digital ? scaler.offset / 8 : scaler.offset;
     double* const to = grown(source_of(object, scaler.id), count);
-    converter_of_daqmx(scaler.type, swap)(from + first, width, count, to);
+    convert(from + first, width, count, to);
     if (!scaler.is_digital) return;
     const std::uint32_t bit = scaler.offset % 8;
     std::transform(to, to + count, to, [bit](double value) {
@@ -367,6 +434,7 @@ class TdmsReader {
   std::map<std::string, std::size_t> places_;  ///< of objects, by path
   std::map<std::size_t, TdmsIndex> known_;     ///< the last index of each object
   std::vector<Active> active_;
+  std::map<std::size_t, std::size_t> places_of_active_;  ///< by object
 };
 
 }  // namespace
