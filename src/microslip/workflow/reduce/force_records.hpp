@@ -43,6 +43,8 @@ struct ForceRecords {
   std::vector<Warning> warnings = {};          ///< what the reader had to forgive
 };
 
+/// Of a file of several recordings those without force or displacement are left out, with a
+/// warning, beside one that has both.
 /// @throws FileError, FormatError  as read_recordings(). @throws InputError  as force_record().
 [[nodiscard]] ForceRecords read_force_records(const std::vector<std::string>& paths,
                                               const JointChannels& channels,
