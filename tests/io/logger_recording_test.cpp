@@ -413,11 +413,11 @@ TEST_F(Tdms, TakesTheUnitOfTheAxis) {
                    rising(4));
   };
   const auto axis = [&](const std::string& unit) { return read(file(unit)).recordings.at(0).axis; };
-  EXPECT_EQ(axis("kHz"), (Axis{.dimension = kFrequency, .start = 2000, .step = 1500}));
+  EXPECT_EQ(axis("kHz"), (Axis{kFrequency, 2000, 1500, {}}));
   EXPECT_DOUBLE_EQ(axis("ms").step, 1.5e-3);
   EXPECT_DOUBLE_EQ(axis("ms").start, 2e-3);
   EXPECT_EQ(axis("min").step, 90.0);
-  EXPECT_EQ(axis(""), (Axis{.start = 2, .step = 1.5}));
+  EXPECT_EQ(axis(""), (Axis{kTime, 2, 1.5, {}}));
   EXPECT_EQ(axis("s"), axis(""));
   EXPECT_NE(message(file("mm")).find("over 'mm', not over a time or frequency"), std::string::npos);
   EXPECT_NE(message(file("blob")).find("'blob', an unknown unit"), std::string::npos);
