@@ -212,8 +212,8 @@ JointedStructure held_mass(double frequency, double damping, double shape, doubl
 constexpr double kHertz = 6.283185307179586;
 
 // Sliders as others export them: 400 of them leave the curve of the density that they are drawn
-// from, to 1/400² in the first harmonic, with hardly more points. Each of them a corner, it had 1021
-// points for 83, and of some thousand atoms no end.
+// from, to 1/400² in the first harmonic, with hardly more points. Each of them a corner, it had
+// 1021 points for 83, and of some thousand atoms no end.
 TEST(FrequencyResponse, GoesPastManyAtoms) {
   const auto curve_of = [](DensityPart part) {
     const Joint joint(1e6, SlipDensity({std::move(part)}));

@@ -101,9 +101,9 @@ class BalanceEquations {
   /// For each joint in turn: the number of branches of its motion, and the number of them on which
   /// each heavy atom slips, by rising slip force.
   [[nodiscard]] std::vector<std::size_t> slipping() const;
-  /// Whether a heavy atom starts or ceases to slip from one such state to the other. Inner loops that
-  /// appear or vanish change a joint's numbers too, but not the derivatives: such joints do not
-  /// count.
+  /// Whether a heavy atom starts or ceases to slip from one such state to the other. Inner loops
+  /// that appear or vanish change a joint's numbers too, but not the derivatives: such joints do
+  /// not count.
   [[nodiscard]] bool slips_otherwise(const std::vector<std::size_t>& one,
                                      const std::vector<std::size_t>& other) const;
 

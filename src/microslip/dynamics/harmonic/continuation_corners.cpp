@@ -7,8 +7,8 @@
 #include "microslip/dynamics/harmonic/continuation.hpp"
 
 /// @file
-/// The corners of a curve, where a heavy atom starts or ceases to slip on a branch of a joint's motion,
-/// or where two of its maxima become equal, so that inner and outer loop change places. The
+/// The corners of a curve, where a heavy atom starts or ceases to slip on a branch of a joint's
+/// motion, or where two of its maxima become equal, so that inner and outer loop change places. The
 /// equations are continuous there and their derivatives jump, by a matrix of rank one: v gᵀ with g
 /// the gradient of the extent of the branch, or of the difference of the maxima. The curve arrives
 /// by the null vector of the derivatives on the one side and leaves by that on the other side, with
