@@ -112,27 +112,25 @@ double rows_of(const LinearEvidence& evidence) {
 
 /// The misfit of the criterion that settle() minimises, over the number of levels, which may have
 /// grown.
-double misfit(const LinearEvidence& evidence, const EvidenceWeights& weights,
+double misfit(const NormalEquations& equations, const EvidenceWeights& weights,
               const Eigen::VectorXd& x) {
-  const NormalEquations equations(evidence);
   double sum = 0.0;
   for (const RowKind kind : kRowKinds) {
     const double scatter = weights.of(kind);
     sum += equations.residual(kind, x) / (scatter * scatter);
   }
-  return sum / rows_of(evidence);
+  return sum / rows_of(equations.evidence());
 }
 
 /// The roughness of that criterion. λ is of one basis: with that of another range the same
 /// densities have another roughness.
-double roughness(const LinearEvidence& evidence, const EvidenceWeights& weights,
+double roughness(const NormalEquations& equations, const EvidenceWeights& weights,
                  const Eigen::VectorXd& x) {
-  const NormalEquations equations(evidence);
   double sum = 0.0;
   for (std::size_t j = 0; j < weights.lambda.size(); ++j) {
     sum += weights.lambda[j] * equations.roughness(j, x);
   }
-  return sum / rows_of(evidence);
+  return sum / rows_of(equations.evidence());
 }
 
 }  // namespace
@@ -250,18 +248,20 @@ CalibratedState GrowingRange::step(const std::vector<std::size_t>& which,
   const Eigen::VectorXd from = projected(now, before.unknowns, before.about);
   const Eigen::VectorXd full = projected(now, before.unknowns, before.settled.x) - from;
   double share = keep_weights_ ? share_ : 1.0;  // where full steps oscillate
+  const NormalEquations equations(before.evidence);
   const EvidenceWeights& weights = before.settled.weights;
   const auto prior = [&](double part) {
     const Eigen::VectorXd x = before.about + part * (before.settled.x - before.about);
-    return roughness(before.evidence, weights, x);
+    return roughness(equations, weights, x);
   };
-  const double present = misfit(before.evidence, weights, before.about) + prior(0.0);
+  const double present = misfit(equations, weights, before.about) + prior(0.0);
   const LevelStates::Vibrations start = states_.vibrations();
   // Another law makes other joints of the same coefficients: no part of a step leads back.
   const bool comparable = which == before.levels && same_laws(now, before.unknowns);
   const auto worse = [&](const CalibratedState& next) {
     if (found_of(before.levels) < before.found) return true;
-    return comparable && misfit(next.evidence, weights, next.about) + prior(share) > present;
+    return comparable &&
+           misfit(NormalEquations(next.evidence), weights, next.about) + prior(share) > present;
   };
   CalibratedState next = linear_about(which, now, from + share * full);
   for (int i = 0; i < kMostHalvings && worse(next); ++i) {
