@@ -122,20 +122,36 @@ struct AttributeValue {
   std::optional<double> number;
 };
 
+/// An attribute, its type, and how many values it has; negative where the library does not tell.
+struct OpenAttribute {
+  Hdf5Handle attribute;
+  Hdf5Handle type;
+  hssize_t count = -1;
+
+  [[nodiscard]] hid_t id() const { return attribute.id(); }
+};
+
+OpenAttribute open_attribute(hid_t object, const char* name, const std::string& place) {
+  OpenAttribute open;
+  open.attribute = Hdf5Handle(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  if (!open.attribute.valid()) fail_hdf5(place, fmt::format("an attribute {}", in_quotes(name)));
+  open.type = Hdf5Handle(H5Aget_type(open.id()), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(open.id()), H5Sclose);
+  if (space.valid()) open.count = H5Sget_simple_extent_npoints(space.id());
+  return open;
+}
+
 AttributeValue read_attribute(hid_t object, const char* name, const std::string& place) {
-  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) fail_hdf5(place, fmt::format("an attribute {}", in_quotes(name)));
-  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
-  if (!space.valid() || !type.valid()) fail_hdf5(place, "the type of an attribute");
+  const OpenAttribute open = open_attribute(object, name, place);
+  if (open.count < 0 || !open.type.valid()) fail_hdf5(place, "the type of an attribute");
   AttributeValue value;
-  if (H5Sget_simple_extent_npoints(space.id()) != 1) return value;
-  if (H5Tget_class(type.id()) == H5T_STRING) {
-    value.text = read_text(attribute.id(), type.id());
+  if (open.count != 1) return value;
+  if (H5Tget_class(open.type.id()) == H5T_STRING) {
+    value.text = read_text(open.id(), open.type.id());
     if (!value.text) fail_hdf5(place, fmt::format("the text {}", in_quotes(name)));
-  } else if (is_number(type.id())) {
+  } else if (is_number(open.type.id())) {
     double number = 0.0;
-    if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &number) < 0) {
+    if (H5Aread(open.id(), H5T_NATIVE_DOUBLE, &number) < 0) {
       fail_hdf5(place, fmt::format("the number {}", in_quotes(name)));
     }
     value.number = number;
@@ -330,23 +346,18 @@ bool is_list_of_characters(hid_t type) {
 std::vector<std::string> hdf5_texts(hid_t object, const char* name, const std::string& place) {
   constexpr hssize_t kMost = 65536;
   if (!has_attribute(object, name, place)) return {};
-  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) fail_hdf5(place, fmt::format("an attribute {}", in_quotes(name)));
-  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
-  const hssize_t size = H5Sget_simple_extent_npoints(space.id());
-  if (!type.valid() || size < 1 || size > kMost) return {};
-  const auto count = static_cast<std::size_t>(size);
-  if (is_list_of_characters(type.id())) {
-    return variable_texts<hvl_t>(attribute.id(), type.id(), count, place, [](const hvl_t& item) {
+  const OpenAttribute open = open_attribute(object, name, place);
+  const hid_t type = open.type.id();
+  if (!open.type.valid() || open.count < 1 || open.count > kMost) return {};
+  const auto count = static_cast<std::size_t>(open.count);
+  if (is_list_of_characters(type)) {
+    return variable_texts<hvl_t>(open.id(), type, count, place, [](const hvl_t& item) {
       return std::string(static_cast<const char*>(item.p), item.len);
     });
   }
-  if (H5Tget_class(type.id()) != H5T_STRING) return {};
-  if (H5Tis_variable_str(type.id()) == 0) {
-    return fixed_texts(attribute.id(), type.id(), count, place);
-  }
-  return variable_texts<char*>(attribute.id(), type.id(), count, place, [](const char* item) {
+  if (H5Tget_class(type) != H5T_STRING) return {};
+  if (H5Tis_variable_str(type) == 0) return fixed_texts(open.id(), type, count, place);
+  return variable_texts<char*>(open.id(), type, count, place, [](const char* item) {
     return std::string(item == nullptr ? "" : item);
   });
 }
@@ -354,14 +365,12 @@ std::vector<std::string> hdf5_texts(hid_t object, const char* name, const std::s
 std::vector<double> hdf5_numbers(hid_t object, const char* name, const std::string& place) {
   constexpr hssize_t kMost = 4096;
   if (!has_attribute(object, name, place)) return {};
-  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-  if (!attribute.valid()) fail_hdf5(place, fmt::format("an attribute {}", in_quotes(name)));
-  const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose);
-  const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  if (!type.valid() || !is_number(type.id()) || count < 1 || count > kMost) return {};
-  std::vector<double> numbers(static_cast<std::size_t>(count));
-  if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, numbers.data()) < 0) {
+  const OpenAttribute open = open_attribute(object, name, place);
+  if (!open.type.valid() || !is_number(open.type.id()) || open.count < 1 || open.count > kMost) {
+    return {};
+  }
+  std::vector<double> numbers(static_cast<std::size_t>(open.count));
+  if (H5Aread(open.id(), H5T_NATIVE_DOUBLE, numbers.data()) < 0) {
     fail_hdf5(place, fmt::format("the numbers {}", in_quotes(name)));
   }
   return numbers;
