@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <cstring>
+
+#include "microslip/io/bytes/byte_order.hpp"
 
 /// @file
 /// Numbers out of the bytes of a file. Internal to io/loggers.
@@ -15,10 +14,9 @@ namespace microslip {
 /// The value that begins at `from`, of a file whose byte order is that of this machine or not.
 template <class T>
 [[nodiscard]] T value_of_bytes(const char* from, bool swap) {
-  std::array<char, sizeof(T)> bytes;
-  std::memcpy(bytes.data(), from, sizeof(T));
-  if (swap) std::ranges::reverse(bytes);
-  return std::bit_cast<T>(bytes);
+  T value;
+  std::memcpy(&value, from, sizeof(T));
+  return swap ? byte_swapped(value) : value;
 }
 
 /// Converts `count` values, `stride` bytes apart, to doubles.

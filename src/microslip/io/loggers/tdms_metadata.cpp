@@ -10,7 +10,6 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/character_set.hpp"
-#include "microslip/io/loggers/byte_values.hpp"
 #include "microslip/io/loggers/piece_reader.hpp"
 
 namespace microslip {
@@ -65,32 +64,14 @@ TdmsTime parse_time(MetadataCursor& from) {
 
 TdmsValue parse_value(MetadataCursor& from) {
   const auto type = from.value<std::uint32_t>();
+  if (const ConvertBytes convert = tdms_converter(type, from.swap())) {
+    double number = 0.0;
+    convert(from.take(tdms_size(type)).data(), tdms_size(type), 1, &number);
+    return number;
+  }
   switch (type) {
     case kVoid:
       return std::string{};
-    case 1:
-      return static_cast<double>(from.value<std::int8_t>());
-    case 2:
-      return static_cast<double>(from.value<std::int16_t>());
-    case 3:
-      return static_cast<double>(from.value<std::int32_t>());
-    case 4:
-      return static_cast<double>(from.value<std::int64_t>());
-    case 5:
-    case 0x21:  // true or false
-      return static_cast<double>(from.value<std::uint8_t>());
-    case 6:
-      return static_cast<double>(from.value<std::uint16_t>());
-    case 7:
-      return static_cast<double>(from.value<std::uint32_t>());
-    case 8:
-      return static_cast<double>(from.value<std::uint64_t>());
-    case 9:
-    case 0x19:
-      return static_cast<double>(from.value<float>());
-    case 10:
-    case 0x1A:
-      return from.value<double>();
     case kTdmsText:
       return from.text();
     case kTdmsTime:
@@ -174,6 +155,36 @@ const Value* find_property(const TdmsProperties& properties, std::string_view na
 std::uint32_t tdms_type_of_daqmx(std::uint32_t type) {
   constexpr std::array<std::uint32_t, 10> kTypes{5, 1, 6, 2, 7, 3, 8, 4, 9, 10};
   return type < kTypes.size() ? kTypes[type] : 0;
+}
+
+ConvertBytes tdms_converter(std::uint32_t type, bool swap) {
+  switch (type) {
+    case 1:
+      return converter<std::int8_t>(swap);
+    case 2:
+      return converter<std::int16_t>(swap);
+    case 3:
+      return converter<std::int32_t>(swap);
+    case 4:
+      return converter<std::int64_t>(swap);
+    case 5:
+    case 0x21:  // true or false
+      return converter<std::uint8_t>(swap);
+    case 6:
+      return converter<std::uint16_t>(swap);
+    case 7:
+      return converter<std::uint32_t>(swap);
+    case 8:
+      return converter<std::uint64_t>(swap);
+    case 9:
+    case 0x19:
+      return converter<float>(swap);
+    case 10:
+    case 0x1A:
+      return converter<double>(swap);
+    default:
+      return nullptr;
+  }
 }
 
 std::size_t tdms_size(std::uint32_t type) {

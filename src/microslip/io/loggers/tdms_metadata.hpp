@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/io/loggers/byte_values.hpp"
 #include "microslip/io/loggers/tdms_contents.hpp"
 
 /// @file
@@ -43,6 +44,9 @@ inline constexpr std::uint32_t kTdmsTime = 0x44;
 /// The type of the values of a source of DAQmx: of 0 U8, 1 I8, 2 U16, …, 7 I64, 8 single and 9
 /// double precision. 0 where it is not known.
 [[nodiscard]] std::uint32_t tdms_type_of_daqmx(std::uint32_t type);
+
+/// What converts values of this type to doubles; null where they are no numbers, or not read.
+[[nodiscard]] ConvertBytes tdms_converter(std::uint32_t type, bool swap);
 
 /// Bytes of a value of this type; 0 where it has no fixed number of them or is not known.
 [[nodiscard]] std::size_t tdms_size(std::uint32_t type);

@@ -29,36 +29,6 @@ constexpr std::uint32_t kHasValues = 1U << 3U;
 constexpr std::uint32_t kInterleaved = 1U << 5U;
 constexpr std::uint32_t kBigEndian = 1U << 6U;
 
-ConvertBytes converter_of(std::uint32_t type, bool swap) {
-  switch (type) {
-    case 1:
-      return converter<std::int8_t>(swap);
-    case 2:
-      return converter<std::int16_t>(swap);
-    case 3:
-      return converter<std::int32_t>(swap);
-    case 4:
-      return converter<std::int64_t>(swap);
-    case 5:
-    case 0x21:
-      return converter<std::uint8_t>(swap);
-    case 6:
-      return converter<std::uint16_t>(swap);
-    case 7:
-      return converter<std::uint32_t>(swap);
-    case 8:
-      return converter<std::uint64_t>(swap);
-    case 9:
-    case 0x19:
-      return converter<float>(swap);
-    case 10:
-    case 0x1A:
-      return converter<double>(swap);
-    default:
-      return nullptr;
-  }
-}
-
 std::vector<double>& source_of(TdmsObject& object, std::uint32_t id) {
   const auto found = std::ranges::find(object.sources, id, &TdmsSource::scale_id);
   if (found != object.sources.end()) return found->values;
@@ -337,7 +307,7 @@ class TdmsReader {
 
   /// Null where the values of the type are no numbers.
   std::vector<double>* values_of(TdmsObject& object, std::uint32_t type) {
-    if (converter_of(type, false) != nullptr) return &source_of(object, 0);
+    if (tdms_converter(type, false) != nullptr) return &source_of(object, 0);
     const bool is_extended = type == kTdmsExtended || type == kTdmsExtendedWithUnit;
     if (type != kTdmsTime)
       object.other = is_extended ? "numbers of extended precision" : "complex numbers";
@@ -347,7 +317,7 @@ class TdmsReader {
   void add(TdmsObject& object, std::vector<double>* values, std::uint32_t type, const char* from,
            std::size_t stride, std::size_t count, bool swap) {
     if (values != nullptr) {
-      return converter_of(type, swap)(from, stride, count, grown(*values, count));
+      return tdms_converter(type, swap)(from, stride, count, grown(*values, count));
     }
     for (std::size_t i = 0; type == kTdmsTime && i < count; ++i) {
       object.times.push_back(tdms_time_of(from + i * stride, swap));
@@ -412,7 +382,7 @@ class TdmsReader {
     TdmsObject& object = result_.objects[active.object];
     object.is_daqmx = true;
     const std::uint32_t type = tdms_type_of_daqmx(scaler.type);
-    const ConvertBytes convert = converter_of(type, swap);
+    const ConvertBytes convert = tdms_converter(type, swap);
     const bool has_bits = type < 9;  // of integers
     if (convert == nullptr || (scaler.is_digital && !has_bits)) {
       object.other = fmt::format("values of the type {} of DAQmx", scaler.type);

@@ -7,25 +7,15 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
+#include "microslip/io/bytes/byte_order.hpp"
 #include "microslip/io/mat/mat_stream.hpp"
 
 /// @file
 /// Numbers as MAT files store them.
 
 namespace microslip {
-
-/// The bytes of a T in the other order.
-template <class T>
-[[nodiscard]] T byte_swapped(T value) {
-  std::array<char, sizeof(T)> bytes;
-  std::memcpy(bytes.data(), &value, sizeof(T));
-  std::ranges::reverse(bytes);
-  std::memcpy(&value, bytes.data(), sizeof(T));
-  return value;
-}
 
 /// Appends `count` values of type From, converted to To. Doubles go straight to their place.
 template <class From, class To>
