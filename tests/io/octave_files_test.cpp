@@ -17,6 +17,7 @@
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/mat_text.hpp"
 #include "microslip/io/mat/mat_recording.hpp"
 #include "microslip/io/mat/mat_value.hpp"
 #include "microslip/io/matrices/symmetric_entries.hpp"
@@ -190,6 +191,15 @@ std::string matrix4(std::uint32_t type, std::uint32_t rows, std::uint32_t column
   bytes += name + '\0';
   for (const T value : values) add(value);
   return bytes;
+}
+
+// The rows of a matrix of characters are stored column by column, in bytes: a letter of two bytes,
+// \303\251 in UTF-8, is in one row, and of Latin-1 one byte is a letter.
+TEST(TextRowsOfBytes, AreDecodedRowByRow) {
+  const std::vector<std::string> expected{"é", "ab"};
+  EXPECT_EQ(text_rows_of_bytes("\303a\251b", 2), expected);
+  EXPECT_EQ(text_rows_of_bytes("\351a b", 2), expected);
+  EXPECT_EQ(text_rows_of_bytes("é ", 1), std::vector<std::string>{"é "});
 }
 
 class Mat4 : public testing::Test {

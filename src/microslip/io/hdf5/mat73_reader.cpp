@@ -236,10 +236,7 @@ class Mat73Reader {
       if (!(number >= -128 && number < 256)) fail_hdf5(place, "characters");
       bytes += static_cast<char>(static_cast<int>(number));
     }
-    const std::size_t rows = value.sizes.front();
-    std::u16string units = units_of_bytes(bytes);
-    if (rows != 1 && units.size() != bytes.size()) units.assign(bytes.begin(), bytes.end());
-    value.texts = text_rows(units, rows);
+    value.texts = text_rows_of_bytes(bytes, value.sizes.front());
   }
 
   MatValue read_group(hid_t group, const std::string& place, int depth) {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "microslip/io/bytes/mat_text.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/mat/mat_numbers.hpp"
+#include "microslip/io/mat/mat_variables.hpp"
 
 namespace microslip {
 namespace {
@@ -47,16 +47,7 @@ class Mat4Reader {
   Mat4Reader(MatFileStream& file, const MatReadOptions& options) : file_(file), options_(options) {}
 
   MatTree read() {
-    MatTree tree;
-    tree.root.kind = MatValue::Kind::kStruct;
-    tree.root.sizes = {1, 1};
-    try {
-      while (!file_.at_end()) read_variable(tree.root);
-    } catch (const MatStream::Ended&) {
-      if (!options_.allow_truncated) throw;
-      tree.truncated = true;
-    }
-    return tree;
+    return read_mat_variables(file_, options_, [this](MatValue& root) { read_variable(root); });
   }
 
  private:
@@ -89,9 +80,7 @@ class Mat4Reader {
 
   void read_variable(MatValue& root) {
     const Mat4Header header = read_header();
-    if (!names_.insert(header.name).second) {
-      file_.fail("each variable once", fmt::format("{} twice", in_quotes(header.name)));
-    }
+    names_.add(header.name, file_);
     if (names_.size() > kMostMatValues) file_.fail("a million variables at most", "more");
     const std::uint64_t count = std::uint64_t{header.rows} * header.columns;
     const std::size_t part = bytes_of_storage(header.storage());
@@ -145,11 +134,7 @@ class Mat4Reader {
       if (!(number >= 0.0 && number < 256.0)) file_.fail("characters", fmt::format("{}", number));
       bytes += static_cast<char>(static_cast<unsigned char>(number));
     }
-    const std::size_t rows = numbers.sizes.front();
-    std::u16string units = units_of_bytes(bytes);
-    // Characters of several bytes would move those of other rows.
-    if (rows != 1 && units.size() != bytes.size()) units.assign(bytes.begin(), bytes.end());
-    value.texts = text_rows(units, rows);
+    value.texts = text_rows_of_bytes(bytes, numbers.sizes.front());
     return value;
   }
 
@@ -199,7 +184,7 @@ class Mat4Reader {
 
   MatFileStream& file_;
   const MatReadOptions& options_;
-  std::set<std::string> names_;
+  MatNames names_;
 };
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/mat/mat5_format.hpp"
 #include "microslip/io/mat/mat_numbers.hpp"
+#include "microslip/io/mat/mat_variables.hpp"
 
 namespace microslip {
 namespace {
@@ -367,16 +368,7 @@ class Mat5FileReader {
       : file_(file), options_(options), swap_(read_header(file)) {}
 
   MatTree read() {
-    MatTree tree;
-    tree.root.kind = MatValue::Kind::kStruct;
-    tree.root.sizes = {1, 1};
-    try {
-      while (!file_.at_end()) read_variable(tree.root);
-    } catch (const MatStream::Ended&) {
-      if (!options_.allow_truncated) throw;
-      tree.truncated = true;
-    }
-    return tree;
+    return read_mat_variables(file_, options_, [this](MatValue& root) { read_variable(root); });
   }
 
  private:
@@ -394,10 +386,7 @@ class Mat5FileReader {
     std::string name;
     MatValue value = type == mat5::kMatrix ? read_plain(size, name) : read_compressed(size, name);
     if (name.empty()) return;  // internal data of MATLAB on objects
-    // No program writes a name twice, and values are taken out of the tree by name.
-    if (!names_.insert(name).second) {
-      file_.fail("each variable once", fmt::format("{} twice", in_quotes(name)));
-    }
+    names_.add(name, file_);
     root.fields.push_back(std::move(name));
     root.children.push_back(std::move(value));
   }
@@ -431,7 +420,7 @@ class Mat5FileReader {
   const MatReadOptions& options_;
   bool swap_;
   std::size_t values_ = 0;
-  std::set<std::string> names_;
+  MatNames names_;
 };
 
 }  // namespace

@@ -362,7 +362,7 @@ class OctaveText {
       if (left() > 0) (void)line();
       longest = std::max(longest, length);
       if (rows > 1) bytes.resize(bytes.find_last_not_of(' ') + 1);
-      value.texts.push_back(text_rows(units_of_bytes(bytes), 1).front());
+      value.texts.push_back(text_rows_of_bytes(bytes, 1).front());
     }
     value.sizes = {rows, longest};
     return value;
