@@ -152,6 +152,11 @@ std::string_view signature(std::string_view head) {
   return {};
 }
 
+bool is_mat_signature(std::string_view signature) {
+  return signature == "a MATLAB file" || signature == kMat4.name ||
+         signature == "a text file of Octave";
+}
+
 std::string_view remedy_for_signature(std::string_view signature) {
   for (const Signature& s : {kLvm, kWav, kBzip2, kMat4}) {
     if (s.name == signature) return s.remedy;

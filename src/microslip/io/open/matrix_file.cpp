@@ -20,9 +20,7 @@ constexpr std::size_t kSignatureSize = 4096;
 SymmetricEntries read_matrix_file(const std::string& path) {
   const PartOfFile part = part_of_file(path);
   const std::string_view kind = signature(read_file_head(part.file, kSignatureSize));
-  const bool is_mat = kind == "a MATLAB file" || kind == "a MAT file of version 4" ||
-                      kind == "a text file of Octave";
-  if (is_mat || kind == "an HDF5 file") {
+  if (is_mat_signature(kind) || kind == "an HDF5 file") {
     return symmetric_of_both(read_mat_entries(part.file, part.variable), path,
                              "If only one triangle is stored, store both.");
   }

@@ -59,12 +59,6 @@ constexpr std::array kEndings{
     Ending{".hdf5", RecordingFormat::kHdf5},
 };
 
-/// What the readers of MAT files take, those of Octave's text among them.
-bool is_mat(std::string_view found) {
-  return found == "a MATLAB file" || found == "a MAT file of version 4" ||
-         found == "a text file of Octave";
-}
-
 /// HDF5 may begin after 512 bytes, 1024, and so on.
 bool is_hdf5_after_other(std::string_view head) {
   for (std::size_t start = 512; start < head.size(); start *= 2) {
@@ -189,7 +183,7 @@ std::optional<RecordingFormat> find_recording_format_of(std::string_view head) {
   if (found == "a universal file") {
     return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
   }
-  if (is_mat(found)) return RecordingFormat::kMat;
+  if (is_mat_signature(found)) return RecordingFormat::kMat;
   const auto* const logger = std::ranges::find(kLoggerFormats, found, &FormatEntry::kind);
   if (logger != kLoggerFormats.end()) return logger->format;
   if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
