@@ -38,10 +38,14 @@
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/mat/mat_recording.hpp"
 #include "microslip/io/mat/mat_value.hpp"
+#include "microslip/io/matrices/abaqus_matrices.hpp"
 #include "microslip/io/matrices/calculix_matrices.hpp"
+#include "microslip/io/matrices/coordinate_list.hpp"
 #include "microslip/io/matrices/dmig_matrices.hpp"
+#include "microslip/io/matrices/harwell_boeing.hpp"
 #include "microslip/io/matrices/mat_entries.hpp"
 #include "microslip/io/matrices/matrix_market.hpp"
+#include "microslip/io/matrices/op4_matrices.hpp"
 #include "microslip/io/open/mesh_file.hpp"
 #include "microslip/io/open/recording_file.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
@@ -294,6 +298,12 @@ void read_matrices(const std::string& text, MemoryFile& /*file*/) {
   attempt([&] { (void)parse_matrix_market(text, kName); });
   attempt([&] { (void)parse_triangle(text, kName, 6); });
   attempt([&] { (void)parse_degrees(text, kName); });
+  if (is_harwell_boeing(text)) attempt([&] { (void)parse_harwell_boeing(text, kName); });
+  if (is_op4(text)) attempt([&] { (void)parse_op4(text, "KAA", kName); });
+  if (is_coordinate_list(text)) attempt([&] { (void)parse_coordinate_list(text, kName); });
+  if (is_abaqus_matrix(text)) {
+    attempt([&] { (void)parse_abaqus_matrices({text, kName}, {text, kName}); });
+  }
   if (is_dmig(text)) {
     const DmigSource mass{.text = text, .file = kName, .initial = 'M'};
     attempt([&] { (void)parse_dmig_matrices({.text = text, .file = kName}, mass); });

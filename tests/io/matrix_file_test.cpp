@@ -139,7 +139,7 @@ TEST_F(MatrixFile, NamesWhatIsWrong) {
     EXPECT_NE(fault("far.mat:S").find("a row 8 of 3"), std::string::npos);
   }
   (void)of_matrix_market();
-  EXPECT_NE(fault("k.mtx:K").find("must follow a file of MATLAB, HDF5 or DMIG entries"),
+  EXPECT_NE(fault("k.mtx:K").find("must follow a file of MATLAB, HDF5, OP4 or DMIG entries"),
             std::string::npos);
 }
 

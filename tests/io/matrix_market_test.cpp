@@ -59,10 +59,6 @@ TEST(MatrixMarketFault, IsNamedByItsPlace) {
   const auto input_fault = [](const std::string& text) {
     return message_of<InputError>([&] { return parse_matrix_market(text, "k.mtx"); });
   };
-  EXPECT_NE(format_fault("1,1, 1,1,  2.0e-01\n2,1, 2,1,  2.0e-01\n")
-                .find("found a matrix input of Abaqus: node, direction, node, direction, value. In "
-                      "Abaqus: *MATRIX OUTPUT"),
-            std::string::npos);
   EXPECT_EQ(format_fault(""),
             "k.mtx: expected %%MatrixMarket matrix coordinate real symmetric, found ''");
   EXPECT_EQ(format_fault("%%MatrixMarket matrix coordinate complex symmetric\n1 1 0\n"),

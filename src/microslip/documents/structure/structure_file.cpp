@@ -22,6 +22,7 @@
 #include "microslip/io/config/structured_input.hpp"
 #include "microslip/io/config/toml_input.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/matrices/abaqus_matrices.hpp"
 #include "microslip/io/matrices/calculix_matrices.hpp"
 #include "microslip/io/matrices/dmig_matrices.hpp"
 #include "microslip/io/open/matrix_file.hpp"
@@ -57,6 +58,13 @@ void convert(SymmetricEntries& matrix, const std::vector<DegreeOfFreedom>& degre
   }
 }
 
+/// With matrices that name the degrees of freedom of their entries themselves.
+void refuse_degrees(const TomlTable& table, std::string_view what, std::string_view names) {
+  if (!table.has("degrees_of_freedom")) return;
+  throw FormatError(table.place("degrees_of_freedom"), fmt::format("no such key with {}", what),
+                    fmt::format("it: they name {} themselves", names));
+}
+
 StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view file) {
   if (table.has("calculix")) {
     for (const std::string_view key : {"stiffness", "mass", "degrees_of_freedom"}) {
@@ -70,12 +78,14 @@ StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view fi
   const std::string stiffness = path_beside(table, "stiffness", "a matrix", file);
   const std::string mass = path_beside(table, "mass", "a matrix", file);
   if (read_named(table, "stiffness", stiffness, is_dmig_file)) {
-    if (table.has("degrees_of_freedom")) {
-      throw FormatError(table.place("degrees_of_freedom"), "no such key with DMIG entries",
-                        "it: they name points and components themselves");
-    }
+    refuse_degrees(table, "DMIG entries", "points and components");
     return read_named(table, "mass", mass,
                       [&](const std::string& its) { return read_dmig_matrices(stiffness, its); });
+  }
+  if (read_named(table, "stiffness", stiffness, is_abaqus_matrix_file)) {
+    refuse_degrees(table, "matrices of Abaqus", "nodes and degrees of freedom");
+    return read_named(table, "mass", mass,
+                      [&](const std::string& its) { return read_abaqus_matrices(stiffness, its); });
   }
   matrices.stiffness = read_named(table, "stiffness", stiffness, read_matrix_file);
   matrices.mass = read_named(table, "mass", mass, read_matrix_file);

@@ -19,7 +19,7 @@
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/matrices/bulk_data.hpp"
-#include "microslip/io/matrices/symmetric_entries.hpp"
+#include "microslip/io/matrices/degree_entries.hpp"
 
 namespace microslip {
 namespace {
@@ -32,17 +32,10 @@ constexpr std::size_t kLongestName =
     16;  // the wide field's; that of eight columns has shorter ones
 constexpr std::size_t kNamesShown = 10;
 
-/// An entry as the file has it.
-struct DmigEntry {
-  DegreeOfFreedom row;
-  DegreeOfFreedom column;
-  double value;
-};
-
 struct DmigMatrix {
   std::string name;
   std::int64_t form = 0;  ///< 0 without a header
-  std::vector<DmigEntry> entries;
+  std::vector<DegreeEntry> entries;
 };
 
 /// Of the fields i and i + 1.
@@ -55,12 +48,6 @@ DegreeOfFreedom degree_at(const BulkData& data, std::size_t i) {
   }
   degree.direction = static_cast<NodalDirection>(std::max<std::int64_t>(number - 1, 0));
   return degree;
-}
-
-/// "z of 12".
-std::string degree_text(const DegreeOfFreedom& degree) {
-  return fmt::format("{} of {}", kNodalDirectionNames[static_cast<std::size_t>(degree.direction)],
-                     degree.node);
 }
 
 /// The entries of one column: point, component, real and imaginary part each.
@@ -177,81 +164,14 @@ class DmigFile {
   std::set<std::string> others_;
 };
 
-void add_degrees(const DmigMatrix& matrix, std::vector<DegreeOfFreedom>& degrees) {
-  for (const DmigEntry& entry : matrix.entries) {
-    degrees.push_back(entry.row);
-    degrees.push_back(entry.column);
-  }
-  std::ranges::sort(degrees);
-  const auto [first, last] = std::ranges::unique(degrees);
-  degrees.erase(first, last);
-}
-
-/// Of one place twice, as where both triangles of a symmetric matrix are there, the sum would be
-/// taken.
-void require_single(const MatrixEntries& entries, const std::vector<DegreeOfFreedom>& degrees,
-                    const std::string& name) {
-  std::vector<std::pair<std::int32_t, std::int32_t>> places;
-  places.reserve(entries.value.size());
-  for (std::size_t i = 0; i < entries.value.size(); ++i) {
-    places.emplace_back(entries.row[i], entries.column[i]);
-  }
-  std::ranges::sort(places);
-  const auto twice = std::ranges::adjacent_find(places);
-  if (twice == places.end()) return;
-  const auto text = [&](std::int32_t i) {
-    return degree_text(degrees[static_cast<std::size_t>(i)]);
-  };
-  throw InputError(name, fmt::format("{} and {}", text(twice->first), text(twice->second)),
-                   "must have one entry: a matrix of form 6 has one triangle, and none is there "
-                   "twice");
-}
-
-/// A stiffness with entries beside a diagonal that is missing is none. (NCOL of a header is of
-/// rectangular matrices, and columns of zeros are not punched.)
-void require_diagonal(const DmigMatrix& matrix, const std::string& file) {
-  std::set<DegreeOfFreedom> diagonal;
-  for (const DmigEntry& entry : matrix.entries) {
-    if (entry.row == entry.column) diagonal.insert(entry.row);
-  }
-  for (const DmigEntry& entry : matrix.entries) {
-    for (const DegreeOfFreedom& degree : {entry.row, entry.column}) {
-      if (entry.value == 0.0 || diagonal.contains(degree)) continue;
-      throw InputError(fmt::format("{}: {}", file, matrix.name),
-                       fmt::format("{} without its diagonal entry", degree_text(degree)),
-                       "must have one for each degree of freedom that has others",
-                       "Is the file truncated?");
-    }
-  }
-}
-
 /// A symmetric one has each pair once, in whichever triangle.
-SymmetricEntries entries_of(const DmigMatrix& matrix, const std::vector<DegreeOfFreedom>& degrees,
-                            const std::string& file) {
-  const auto index = [&](const DegreeOfFreedom& degree) {
-    return static_cast<std::int32_t>(std::ranges::lower_bound(degrees, degree) - degrees.begin());
-  };
-  MatrixEntries entries{.size = degrees.size(), .row = {}, .column = {}, .value = {}};
-  const auto add = [&](std::int32_t row, std::int32_t column, double value) {
-    entries.row.push_back(row);
-    entries.column.push_back(column);
-    entries.value.push_back(value);
-  };
-  for (const DmigEntry& entry : matrix.entries) {
-    const std::int32_t row = index(entry.row);
-    const std::int32_t column = index(entry.column);
-    if (matrix.form == kSquare) {
-      add(row, column, entry.value);
-    } else {
-      add(std::max(row, column), std::min(row, column), entry.value);
-    }
-  }
-  const std::string name = fmt::format("{}: {}", file, matrix.name);
-  require_single(entries, degrees, name);
-  if (matrix.form == kSquare) {
-    return symmetric_of_both(entries, name, "A matrix of one triangle has form 6.");
-  }
-  return symmetric_of_triangle(std::move(entries), name);
+DegreeMatrix degree_matrix(DmigMatrix matrix, const std::string& file) {
+  using Triangles = DegreeMatrix::Triangles;
+  return {.name = fmt::format("{}: {}", file, matrix.name),
+          .triangles = matrix.form == kSquare ? Triangles::kBoth : Triangles::kOne,
+          .entries = std::move(matrix.entries),
+          .twice = "a matrix of form 6 has one triangle, and none is there twice",
+          .lacks = "A matrix of one triangle has form 6."};
 }
 
 }  // namespace
@@ -290,15 +210,8 @@ StructuralMatrices read_dmig_matrices(const std::string& stiffness, const std::s
 }
 
 StructuralMatrices parse_dmig_matrices(const DmigSource& stiffness, const DmigSource& mass) {
-  const DmigMatrix k = DmigFile(stiffness).chosen();
-  const DmigMatrix m = DmigFile(mass).chosen();
-  StructuralMatrices matrices;
-  add_degrees(k, matrices.degrees);
-  add_degrees(m, matrices.degrees);
-  matrices.stiffness = entries_of(k, matrices.degrees, stiffness.file);
-  require_diagonal(k, stiffness.file);
-  matrices.mass = entries_of(m, matrices.degrees, mass.file);
-  return matrices;
+  const DegreeMatrix k = degree_matrix(DmigFile(stiffness).chosen(), stiffness.file);
+  return matrices_of(k, degree_matrix(DmigFile(mass).chosen(), mass.file));
 }
 
 }  // namespace microslip

@@ -42,22 +42,8 @@ std::vector<std::string> words_of(std::string_view line) {
   return words;
 }
 
-/// "2,1, 1,1, -3.0e+03": node and direction of row and column, and a value.
-bool is_abaqus_line(std::string_view line) {
-  constexpr std::ptrdiff_t kCommas = 4;
-  return std::ranges::count(line, ',') == kCommas &&
-         line.find_first_not_of("0123456789+-.,eEdD \t\r") == std::string_view::npos;
-}
-
 Header read_header(const NumberLines& lines) {
   const std::vector<std::string> words = words_of(lines.line());
-  if (is_abaqus_line(lines.line())) {
-    throw FormatError(lines.place(), "%%MatrixMarket matrix coordinate real symmetric",
-                      "a matrix input of Abaqus: node, direction, node, direction, value",
-                      "In Abaqus: *MATRIX OUTPUT, STIFFNESS, MASS, FORMAT=COORDINATE; put the line "
-                      "expected and one of rows, columns and entries above it, and give "
-                      "degrees_of_freedom.");
-  }
   if (words.size() != 5 || words[0] != kBanner || words[1] != "matrix") {
     throw FormatError(lines.place(), "%%MatrixMarket matrix coordinate real symmetric",
                       in_quotes(lines.line()));

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 
@@ -57,6 +59,20 @@ std::vector<Pair> pairs_of(const MatrixEntries& entries) {
 }
 
 }  // namespace
+
+bool has_both_triangles(const MatrixEntries& entries) {
+  std::vector<std::pair<std::int32_t, std::int32_t>> below;
+  std::vector<std::pair<std::int32_t, std::int32_t>> above;
+  for (std::size_t i = 0; i < entries.value.size(); ++i) {
+    const std::int32_t row = entries.row[i];
+    const std::int32_t column = entries.column[i];
+    if (row > column) below.emplace_back(row, column);
+    if (row < column) above.emplace_back(column, row);
+  }
+  std::ranges::sort(below);
+  return std::ranges::any_of(
+      above, [&](const auto& place) { return std::ranges::binary_search(below, place); });
+}
 
 SymmetricEntries symmetric_of_both(const MatrixEntries& entries, std::string_view file,
                                    std::string_view remedy) {

@@ -29,6 +29,9 @@ struct MatrixEntries {
 [[nodiscard]] SymmetricEntries symmetric_of_both(const MatrixEntries& entries,
                                                  std::string_view file, std::string_view remedy);
 
+/// Whether an entry off the diagonal has one across the diagonal.
+[[nodiscard]] bool has_both_triangles(const MatrixEntries& entries);
+
 /// Of a file that has one triangle, the upper or the lower.
 /// @throws InputError  naming an entry beside the triangle of the first one that is off the
 ///     diagonal.
