@@ -397,20 +397,78 @@ TEST_F(Hdf5NetCdf, TellsTimesOfAnotherLength) {
       << message();
 }
 
+/// A row of a table, as h5py writes a structured array and PyTables its tables: a field of each
+/// kind, times, forces with a unit in the name, lists of accelerations, and text.
+struct TableRow {
+  double time;
+  float force;
+  double accelerations[2];
+  char note[4];
+};
+
+hid_t table_type(const char* time) {
+  const hsize_t two = 2;
+  const hid_t list = H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &two);
+  const hid_t text = H5Tcopy(H5T_C_S1);
+  H5Tset_size(text, 4);
+  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(TableRow));
+  H5Tinsert(type, time, HOFFSET(TableRow, time), H5T_NATIVE_DOUBLE);
+  H5Tinsert(type, "force [kN]", HOFFSET(TableRow, force), H5T_NATIVE_FLOAT);
+  H5Tinsert(type, "acc", HOFFSET(TableRow, accelerations), list);
+  H5Tinsert(type, "note", HOFFSET(TableRow, note), text);
+  H5Tclose(text);
+  H5Tclose(list);
+  return type;
+}
+
+const std::vector<TableRow> kRows{
+    {0.0, 1.0F, {0.1, 10.0}, "a"}, {0.5, 2.0F, {0.2, 20.0}, "b"}, {1.0, -3.0F, {0.3, 30.0}, "c"}};
+
 // pandas and PyTables store a table as one dataset.
-TEST_F(Hdf5NetCdf, NamesTables) {
+TEST_F(Hdf5NetCdf, TakesTheFieldsOfATable) {
   {
     OtherFile file(path_);
-    const hid_t type = H5Tcreate(H5T_COMPOUND, 2 * sizeof(double));
-    H5Tinsert(type, "time", 0, H5T_NATIVE_DOUBLE);
-    H5Tinsert(type, "acc", sizeof(double), H5T_NATIVE_DOUBLE);
-    file.dataset<double>("data", type, {2}, {0, 1, 2, 3});
+    const hid_t type = table_type("time");
+    file.dataset<TableRow>("data", type, {3}, kRows);
+    file.text("data", "acc_unit", "mm/s^2");
     H5Tclose(type);
   }
-  EXPECT_NE(
-      message().find(":/data: expected a dataset of numbers, found a table with named fields"),
-      std::string::npos)
-      << message();
+  const Recordings all = read();
+  ASSERT_EQ(all.recordings.size(), 1U);
+  const Recording& recording = all.recordings[0];
+  EXPECT_EQ(recording.source, "a.nc:/data");
+  EXPECT_EQ(recording.sampling_rate(), 2.0);
+  ASSERT_EQ(recording.channels.size(), 3U);
+  EXPECT_EQ(recording.channel("force").values, (std::vector<double>{1000.0, 2000.0, -3000.0}));
+  EXPECT_EQ(recording.channel("force").dimension, kForce);
+  const std::vector<double>& second = recording.channel("acc_2").values;
+  ASSERT_EQ(second.size(), 3U);
+  EXPECT_NEAR(second[2], 0.03, 1e-17);  // 30 mm/s²
+  ASSERT_EQ(recording.left_out.size(), 1U);
+  EXPECT_EQ(recording.left_out[0].name, "note");
+  EXPECT_EQ(recording.left_out[0].reason, "its values are no real numbers");
+}
+
+TEST_F(Hdf5NetCdf, TakesTheRateOfATableFromItsAttributes) {
+  {
+    OtherFile file(path_);
+    const hid_t type = table_type("index");
+    file.dataset<TableRow>("data", type, {3}, kRows);
+    file.number("data", "fs", 1000.0);
+    H5Tclose(type);
+  }
+  EXPECT_EQ(read().recordings.at(0).sampling_rate(), 1000.0);
+  EXPECT_EQ(read().recordings.at(0).channels.size(), 4U);
+}
+
+TEST_F(Hdf5NetCdf, NamesTablesWithoutTimes) {
+  {
+    OtherFile file(path_);
+    const hid_t type = table_type("index");
+    file.dataset<TableRow>("data", type, {3}, kRows);
+    H5Tclose(type);
+  }
+  EXPECT_NE(message().find(":/data: expected a sampling rate"), std::string::npos) << message();
 }
 
 // lzf, Blosc and bzip2 are plugins.

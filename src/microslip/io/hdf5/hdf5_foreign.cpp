@@ -15,6 +15,7 @@
 #include "microslip/io/hdf5/hdf5_handle.hpp"
 #include "microslip/io/hdf5/hdf5_packing.hpp"
 #include "microslip/io/hdf5/hdf5_scales.hpp"
+#include "microslip/io/hdf5/hdf5_table.hpp"
 #include "microslip/io/hdf5/hdf5_values.hpp"
 #include "microslip/io/recordings/axis_rank.hpp"
 #include "microslip/io/recordings/sampling.hpp"
@@ -179,8 +180,10 @@ class ForeignReader {
 
   void read_group(hid_t group, const std::string& inside, Sampling sampling, int depth) {
     const std::string place = fmt::format("{}:{}", path_, inside.empty() ? "/" : inside);
-    if (depth > kDeepestGroup || !visit(group)) return;
+    if (depth > kDeepestGroup || !visit(group) || is_index(group, place)) return;
+    pandas_ = pandas_ || H5Aexists(group, "pandas_type") > 0;
     std::vector<Dataset> datasets;
+    std::vector<Dataset> tables;
     std::vector<std::pair<std::string, Hdf5Handle>> groups;
     sampling = sampling_of(group, sampling, place);
     for (const std::string& name : hdf5_members(group, place)) {
@@ -189,14 +192,24 @@ class ForeignReader {
       if (H5Iget_type(object.id()) == H5I_GROUP) {
         groups.emplace_back(name, std::move(object));
       } else if (H5Iget_type(object.id()) == H5I_DATASET) {
-        sort_in(datasets, sampling, name, fmt::format("{}:{}/{}", path_, inside, printable(name)),
-                std::move(object));
+        const std::string its_place = fmt::format("{}:{}/{}", path_, inside, printable(name));
+        if (hdf5_content(object.id()) == Hdf5Content::kTable) {
+          tables.push_back({name, its_place, std::move(object)});
+        } else {
+          sort_in(datasets, sampling, name, its_place, std::move(object));
+        }
       }
     }
     read_datasets(datasets, sampling, inside);
+    for (const Dataset& table : tables) read_table(table, sampling, inside);
     for (const auto& [name, handle] : groups) {
       read_group(handle.id(), inside + "/" + printable(name), sampling, depth + 1);
     }
+  }
+
+  /// What PyTables keeps to find rows of a table: no data.
+  static bool is_index(hid_t group, const std::string& place) {
+    return hdf5_text(group, "CLASS", place) == "TINDEX";
   }
 
   /// False where a link has led here before.
@@ -209,7 +222,6 @@ class ForeignReader {
   void sort_in(std::vector<Dataset>& datasets, Sampling& sampling, const std::string& name,
                const std::string& place, Hdf5Handle handle) {
     const Hdf5Content content = hdf5_content(handle.id());
-    if (content == Hdf5Content::kTable) tables_.push_back(place);
     if (content != Hdf5Content::kReal && content != Hdf5Content::kComplex) return;
     if (is_bare_dimension(handle.id(), place)) return;
     Dataset dataset{name, place, std::move(handle)};
@@ -249,6 +261,61 @@ class ForeignReader {
       }
     }
     groups_.push_back(std::move(group));
+  }
+
+  /// The fields of a table are channels, over that of its times where it has one.
+  void read_table(const Dataset& dataset, const Sampling& sampling, const std::string& inside) {
+    const std::string& place = dataset.place;
+    if (hdf5_sizes(dataset.handle.id()).size() != 1) {
+      tables_.push_back(place);
+      return;
+    }
+    Hdf5Table table = read_hdf5_table(dataset.handle.id(), place);
+    const std::optional<Axis> axis = axis_of_table(table, dataset, sampling);
+    if (!axis || table.fields.empty()) {
+      tables_.push_back(place);
+      return;
+    }
+    GroupRead group{fmt::format("{}:{}/{}", file_name(path_), inside, printable(dataset.name))};
+    for (Hdf5Field& field : table.fields) {
+      Channel channel;
+      channel.name = std::move(field.name);
+      channel.values = std::move(field.values);
+      apply_unit(channel, field.unit, place, result_.warnings);
+      progress_.add(channel.values.size());
+      add_channel(group.recordings, group.source, *axis, std::move(channel), dataset.name);
+    }
+    for (Recording& recording : group.recordings) recording.left_out = table.left_out;
+    groups_.push_back(std::move(group));
+  }
+
+  /// The field of times or frequencies is taken out of the table.
+  std::optional<Axis> axis_of_table(Hdf5Table& table, const Dataset& dataset,
+                                    const Sampling& known) {
+    const Sampling sampling = sampling_of(dataset.handle.id(), known, dataset.place);
+    const auto take = [&](const char* name,
+                          const Dimension& usual) -> std::optional<PointsOrFault> {
+      const auto found = std::ranges::find_if(table.fields, [&](const Hdf5Field& field) {
+        return field.name == name && may_be_unit_of_points(field.unit, usual) &&
+               may_be_points(field.name, field.values);
+      });
+      if (found == table.fields.end()) return std::nullopt;
+      Hdf5Field field = std::move(*found);
+      table.fields.erase(found);
+      return read_points(std::move(field.values), field.unit, usual, field.name, dataset.place,
+                         sampling);
+    };
+    std::optional<PointsOrFault> read;
+    for (const char* name : kTimeNames) {
+      if (!read) read = take(name, kTime);
+    }
+    for (const char* name : kFrequencyNames) {
+      if (!read) read = take(name, kFrequency);
+    }
+    if (read && read->fault.empty()) return read->points.axis;
+    if (!read && sampling.step) return even_axis(sampling);
+    without_axis_.push_back({dataset.place, read ? read->fault : std::string()});
+    return std::nullopt;
   }
 
   /// Scales that are the axis of no dataset are channels: a force may be over a displacement.
@@ -544,12 +611,14 @@ class ForeignReader {
     if (!without_axis_.empty()) {
       throw no_sampling_rate(
           without_axis_.front(),
-          "Add the attribute fs [Hz] to the dataset, to a group that contains it or to the file, "
-          "or a dataset 'time' [s] next to it.");
+          pandas_ ? "pandas wrote it: read_hdf(FILE, KEY).to_csv(OUT) there, or write it with the "
+                    "times as a column, format='table' and data_columns=True."
+                  : "Add the attribute fs [Hz] to the dataset, to a group that contains it or to "
+                    "the file, or a dataset 'time' [s] next to it.");
     }
     if (!tables_.empty()) {
-      throw FormatError({.file = tables_.front()}, "a dataset of numbers",
-                        "a table with named fields",
+      throw FormatError({.file = tables_.front()}, "a dataset or a table of numbers",
+                        "a table whose fields are none, or of several dimensions",
                         "Store each column as a dataset of its own; pandas: to_csv.");
     }
     throw FormatError({.file = path_}, "a dataset of two numbers or more", "none");
@@ -563,6 +632,7 @@ class ForeignReader {
   std::set<haddr_t> served_;  ///< scales that are axes or tell channels apart
   std::vector<GroupRead> groups_;
   bool netcdf_ = false;
+  bool pandas_ = false;
   std::optional<InputError> axis_fault_;  ///< the first unit of points that is not known
   std::vector<WithoutAxis> without_axis_;
   std::vector<std::string> tables_;  ///< places of datasets with named fields
