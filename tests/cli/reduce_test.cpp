@@ -125,7 +125,7 @@ TEST(reduce, WritesTheLevelsOfTheExample) {
       "amplitude [m],dissipation [J],amplitude_std [m],dissipation_std [J],secant_stiffness "
       "[N/m],secant_stiffness_std [N/m],source,frequency [Hz],resonance_frequency [Hz],"
       "force_amplitude [N],response_amplitude [m/s^2],input_energy [J],linear_dissipation [J],"
-      "force_distortion [1],reversals [1],flags,");
+      "damping_ratio [1],force_distortion [1],reversals [1],flags,");
   const auto [amplitude, dissipation] = errors(box, "levels.csv");
   EXPECT_LE(amplitude, 1e-3);
   EXPECT_LE(dissipation, 5e-3);

@@ -29,6 +29,7 @@ ReducedLevel level(double scale, const std::string& source) {
   level.dissipation = {0.1 * scale, 3e-9};
   level.input_energy = {0.25 * scale, 1e-9};
   level.linear_dissipation = 0.15 * scale;
+  level.damping_ratio = 0.02;
   level.secant_stiffness = Measured{1.25e5, 40.0};
   level.force_distortion = 0.001;
   return level;
@@ -48,10 +49,12 @@ TEST(ReductionFile, HasTheDocumentedColumns) {
             "amplitude [m],dissipation [J],amplitude_std [m],dissipation_std [J],"
             "secant_stiffness [N/m],secant_stiffness_std [N/m],source,frequency [Hz],"
             "resonance_frequency [Hz],force_amplitude [N],response_amplitude [m/s^2],"
-            "input_energy [J],linear_dissipation [J],force_distortion [1],reversals [1],flags\n"
-            "1e-05,0.1,2e-09,3e-09,125000,40,level_1.csv,55.25,55.5,0.5,3,0.25,0.15,0.001,4,"
+            "input_energy [J],linear_dissipation [J],damping_ratio [1],force_distortion [1],"
+            "reversals [1],flags\n"
+            "1e-05,0.1,2e-09,3e-09,125000,40,level_1.csv,55.25,55.5,0.5,3,0.25,0.15,0.02,0.001,4,"
             "inner_reversals few_cycles\n"
-            "2e-05,0.2,2e-09,3e-09,125000,40,level_2.csv,55.25,55.5,1,6,0.5,0.3,0.001,2,\"\"\n");
+            "2e-05,0.2,2e-09,3e-09,125000,40,level_2.csv,55.25,55.5,1,6,0.5,0.3,0.02,0.001,2,"
+            "\"\"\n");
 }
 
 TEST(ReductionFile, ReadsBackAsLevels) {

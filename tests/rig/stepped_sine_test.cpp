@@ -71,6 +71,8 @@ TEST(SteppedSine, ResonanceOfOneMode) {
     EXPECT_NEAR(level.linear_dissipation / (std::numbers::pi * kLossFactor * square * q * q), 1.0,
                 1e-9);
     EXPECT_NEAR(level.secant_stiffness->value / kJoint.real(), 1.0, 1e-9);
+    const double lossy = kLossFactor * square + kJointShape * kJointShape * kJoint.imag();
+    EXPECT_NEAR(level.damping_ratio / (0.5 * lossy / resonance / resonance), 1.0, 1e-9);
     EXPECT_TRUE(level.flags.empty());
   }
 }

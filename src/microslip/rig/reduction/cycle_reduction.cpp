@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <utility>
 
 #include "microslip/rig/reduction/loop_stiffness.hpp"
@@ -32,6 +34,13 @@ SignalLayout signal_layout(const Rig& rig, bool use_vibrometer) {
   }
   if (use_vibrometer && rig.vibrometer) layout.vibrometer = rig.vibrometer->measures;
   return layout;
+}
+
+double damping_ratio_of(const CycleResult& cycle, double resonance_frequency) {
+  double squares = 0.0;
+  for (const FourierSeries& modal : cycle.motion.modal) squares += std::norm(modal.c(1));
+  const double omega = 2.0 * std::numbers::pi * resonance_frequency;
+  return cycle.input_energy / (2.0 * std::numbers::pi * omega * omega * squares);
 }
 
 CycleReduction::CycleReduction(const StickState& state, SignalLayout layout, double omega,

@@ -40,6 +40,11 @@ struct CycleResult {
   [[nodiscard]] double dissipation() const { return input_energy - linear_dissipation; }
 };
 
+/// Damping ratio of the structure with its joint: W_ext/(4πT) with the kinetic energy
+/// T = ½ ω² Σ|q_i1|² that it has in phase resonance at this amplitude.
+/// @param resonance_frequency  ω/(2π), Hz; above 0.
+[[nodiscard]] double damping_ratio_of(const CycleResult& cycle, double resonance_frequency);
+
 class CycleReduction {
  public:
   /// @param state  outlives this. @param omega, harmonics  of the series to be reduced.

@@ -107,6 +107,7 @@ ReducedLevel reduced_level(const RecordAnalysis& record, const Rig& rig, const S
   level.cycles = record.fit.cycles;
   set_joint(level, record, state.stiffness > 0.0);
   set_energies(level, record);
+  level.damping_ratio = damping_ratio_of(record.whole, level.resonance_frequency);
   add_flags(level, record, rig, state, options);
   return level;
 }

@@ -61,6 +61,7 @@ ReducedLevel reduce_stepped_sine(const Reducer& reducer, const SteppedSine& swee
   level.input_energy.value = cycle.input_energy;
   level.linear_dissipation = cycle.linear_dissipation;
   level.dissipation.value = cycle.dissipation();
+  level.damping_ratio = damping_ratio_of(cycle, found->frequency);
   level.misfit = cycle.motion.misfit.front();
   if (reducer.state().stiffness > 0.0) {
     level.secant_stiffness = Measured{cycle.secant_stiffness, 0.0};
