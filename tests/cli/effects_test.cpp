@@ -372,6 +372,11 @@ use = "identify"
                      levels);
 }
 
+/// A recording without its times.
+std::string without_first_column(const std::string& table) {
+  return std::regex_replace(table, std::regex("(^|\n)[^#,\n][^,\n]*,"), "$1");
+}
+
 /// The decay and the loops that kinds.toml names, as its document makes them: by the model of the
 /// campaign, whose folder stays; and that campaign with other files and kinds.
 void add_kinds(Files& all) {
@@ -394,9 +399,11 @@ void add_kinds(Files& all) {
   all["cut_decaying.uff"] =
       run(all, words("convert decaying.csv cut.uff --quiet")).files.at("cut.uff");
   all["cut_decaying.uff"].resize(all["cut_decaying.uff"].size() * 7 / 8);
+  all["untimed_decaying.csv"] = without_first_column(all["decaying.csv"]);
   const std::string kinds = all.at("kinds.toml");
   all["bare_kinds.toml"] = edited(kinds, "decaying.csv -> bare_decaying.csv");
   all["cut_kinds.toml"] = edited(kinds, "decaying.csv -> cut_decaying.uff");
+  all["untimed_kinds.toml"] = edited(kinds, "decaying.csv -> untimed_decaying.csv");
   all["second_mode.toml"] = edited(kinds, "use = \"both\" -> use = \"predict\"");
   all["swept_kind.toml"] =
       edited(all.at("campaign.toml"), "use = \"predict\" -> use = \"predict\"\nkind = \"sweep\"");
@@ -512,7 +519,10 @@ Files made_inputs() {
   all["cut_decay.uff"] = written.at("decay.uff").substr(0, written.at("decay.uff").size() * 7 / 8);
   all["unitless_decay.csv"] =
       std::regex_replace(all["decay.csv"], std::regex(" \\[[^\\]]*\\]"), "");
+  all["untimed.csv"] = without_first_column(all["level_01.csv"]);
+  all["untimed_decay.csv"] = without_first_column(all["decay.csv"]);
   all["record.csv"] = record_text(sample_record());
+  all["untimed_record.csv"] = without_first_column(all["record.csv"]);
   all["two_records.csv"] = two_records();
   all["unitless_record.csv"] = record_text(sample_record(), "time [s],u,f");
   all["cut_record.csv"] = all.at("record.csv").substr(0, all.at("record.csv").rfind(','));

@@ -159,7 +159,8 @@ TEST_F(Hdf5Recording, SaysWhatToAddWithoutSamplingRate) {
       message(),
       path_ +
           ":/x: expected a sampling rate, found none. Add the attribute fs [Hz] to the dataset, to "
-          "a group that contains it or to the file, or a dataset 'time' [s] next to it.");
+          "a group that contains it or to the file, or a dataset 'time' [s] next to it. Or give "
+          "`rate`.");
 }
 
 TEST_F(Hdf5Recording, WarnsOfAnUnknownUnit) {

@@ -284,8 +284,8 @@ TEST(RecordingCsvFault, NoAxis) {
   EXPECT_EQ(
       fault("force [N],acc\n0,1\n1,2\n"),
       "r.csv:1:1: expected a column of time such as 'time [s]', found the columns 'force, acc'. "
-      "Name it with its unit, or give the rate in a comment line such as '# sampling_rate: "
-      "8192 Hz'.");
+      "Name it with its unit, or give the rate by `rate` or in a comment line such as "
+      "'# sampling_rate: 8192 Hz'.");
   EXPECT_EQ(
       fault("time [s]\n0\n1\n"),
       "r.csv:1:1: expected a column in addition to the axis, found column 1 'time [s]' alone");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/open/recording_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -156,6 +157,28 @@ TEST(RecordingFile, GivesAssumedUnits) {
   EXPECT_EQ(r.axis.step, 0.5);
   EXPECT_EQ(r.signal("force", kForce)[1], 2000.0);
   EXPECT_EQ(r.signal("acc1", kAcceleration)[1], 2.0);
+}
+
+TEST(RecordingFile, TakesAStatedRateWhereTheFileHasNone) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("a.csv");
+  test::put(path, "force [N],acc [g]\n1,2\n3,4\n5,6\n");
+  const Recordings read = read_recordings(path, {.rate = 2048.0});
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].axis.step, 1.0 / 2048.0);
+  EXPECT_EQ(read.recordings[0].channels.size(), 2U);
+  EXPECT_TRUE(read.warnings.empty());
+  test::put(path, "acc [g]\n2\n4\n6\n");
+  EXPECT_EQ(read_recordings(path, {.rate = 2048.0}).recordings.at(0).size(), 3U);
+  test::put(path, "time [s],force [N]\n0,2\n1,4\n2,6\n");
+  EXPECT_EQ(message_of<InputError>([&] { (void)read_recordings(path, {.rate = 2048.0}); }),
+            fmt::format("`rate` = 2048 Hz; must not be given for {}: it has times or a rate of its "
+                        "own. Leave it out.",
+                        path));
+  EXPECT_NE(message_of<InputError>([&] {
+              (void)read_recordings(path, {.rate = -1.0});
+            }).find("`rate` = -1; must be above 0 Hz"),
+            std::string::npos);
 }
 
 TEST(RecordingFile, AColonIsPartOfANameThatIsThere) {

@@ -61,6 +61,15 @@ def test_files_read_back(tmp_path, ending):
     same(back, recording())
 
 
+def test_a_stated_rate_is_that_of_a_file_without_times(tmp_path):
+    (tmp_path / "r.csv").write_text("force [N],acc [m/s^2]\n1,2\n3,4\n5,6\n")
+    (back,) = microslip.read_recordings(tmp_path / "r.csv", rate=500)
+    assert back.fs == 500.0
+    microslip.write_recordings(tmp_path / "timed.csv", back)
+    with pytest.raises(ValueError, match="has times or a rate of its own"):
+        microslip.read_recordings(tmp_path / "timed.csv", rate=500)
+
+
 def test_universal_file_of_text_has_13_digits(tmp_path):
     microslip.write_recordings(tmp_path / "r.unv", recording(), "uff-ascii")
     (back,) = microslip.read_recordings(tmp_path / "r.unv")

@@ -151,6 +151,7 @@ void refuse_options_of_recordings(const IdentifyArguments& options) {
                     "--linear-damping fit identifies a linear damping from one table of levels.");
   of_records.refuse("--assume-units", !options.reading.assumed_units.empty());
   of_records.refuse("--allow-truncated", options.reading.allow_truncated);
+  of_records.refuse("--rate", options.reading.rate, "");
 }
 
 void refuse_options_of_levels(const IdentifyArguments& options, const EvidenceFiles& files) {

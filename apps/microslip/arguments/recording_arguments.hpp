@@ -18,12 +18,13 @@ namespace microslip::app {
 struct RecordingArguments {
   std::vector<std::string> assumed_units;
   bool allow_truncated = false;
+  std::string rate;
 };
 
-/// Adds --assume-units and --allow-truncated.
+/// Adds --assume-units, --allow-truncated and --rate.
 void add_recording_arguments(CLI::App& command, RecordingArguments& arguments);
 
-/// @throws InputError  where a unit is none.
+/// @throws InputError  where a unit is none, or the rate no frequency above 0.
 [[nodiscard]] RecordingReadOptions read_options(const RecordingArguments& arguments,
                                                 Progress progress = {});
 

@@ -29,8 +29,9 @@ py::tuple tuple_of(Recordings found) {
 }
 
 py::tuple read(const std::string& path, const std::vector<std::string>& assumed,
-               bool allow_truncated, const py::object& listener) {
+               bool allow_truncated, std::optional<double> rate, const py::object& listener) {
   RecordingReadOptions options{.allow_truncated = allow_truncated,
+                               .rate = rate,
                                .assumed_units = parse_assumed_units(assumed)};
   return tuple_of(long_result(
       [&](const Progress& progress) {

@@ -299,6 +299,10 @@ void read_kind(const TomlTable& table, CampaignSubject subject, CampaignTest& te
 
 void read_recording_keys(const TomlTable& table, CampaignTest& test) {
   test.allow_truncated = flag_in(table, "allow_truncated");
+  if (table.has("rate_Hz")) {
+    test.rate = table.number("rate_Hz");
+    if (!(*test.rate > 0.0)) throw InputError(table.name("rate_Hz"), *test.rate, "must be above 0");
+  }
   if (!table.has("assume_units")) return;
   test.assumed_units = table.texts("assume_units");
   try {
@@ -311,7 +315,7 @@ void read_recording_keys(const TomlTable& table, CampaignTest& test) {
 CampaignTest read_campaign_test(const TomlTable& table, std::string_view file,
                                 CampaignSubject subject) {
   table.allow_only({"name", "file", "use", "session", "conditions", "kind", "sensors", "mode",
-                    "force", "displacement", "assume_units", "allow_truncated"});
+                    "force", "displacement", "assume_units", "allow_truncated", "rate_Hz"});
   constexpr std::array kUses{CampaignUse::kIdentify, CampaignUse::kPredict, CampaignUse::kBoth};
   CampaignTest test{.name = file_name_in(table, "name"), .file = path_in(table, "file", file)};
   if (subject == CampaignSubject::kModel && test.name == "modal") {

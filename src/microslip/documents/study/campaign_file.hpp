@@ -30,7 +30,7 @@
 ///                            "constant-response", "ringdown" or "loops"; of ring-downs sensors = {
 ///                            CHANNEL = "POINT" } and mode; of loops force and displacement, names
 ///                            of channels; of recordings assume_units = [ … ], as "acc1=m/s^2" or
-///                            "SI", and allow_truncated; at least one
+///                            "SI", allow_truncated and rate_Hz; at least one
 
 namespace microslip {
 
@@ -100,6 +100,7 @@ struct CampaignTest {
   std::string displacement = {};  ///< as above
   std::vector<std::string> assumed_units = {};  ///< CHANNEL=UNIT or SI; of recordings
   bool allow_truncated = false;                 ///< of recordings
+  std::optional<double> rate = {};              ///< Hz; of recordings without times
 
   /// Whether the joint is identified from it.
   [[nodiscard]] bool identifies() const { return use != CampaignUse::kPredict; }

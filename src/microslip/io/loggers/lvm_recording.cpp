@@ -251,7 +251,7 @@ class LvmReader {
     }
     if (!allow_untimed_) without_axis_.push_back({place_of(channel)});
     if (!allow_untimed_) return std::nullopt;
-    if (result_.warnings.empty()) result_.warnings.push_back(points_untimed(path_));
+    if (!std::exchange(untimed_, true)) result_.warnings.push_back(points_untimed(path_));
     return even_axis({.step = 1.0});
   }
 
@@ -297,6 +297,7 @@ class LvmReader {
   const std::string& path_;
   LvmContents contents_;
   bool allow_untimed_;
+  bool untimed_ = false;  ///< whether any points were taken so
   std::vector<WithoutAxis> without_axis_;
   Recordings result_;
 };

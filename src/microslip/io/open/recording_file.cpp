@@ -21,6 +21,7 @@
 #include "microslip/io/mat/mat_recording.hpp"
 #include "microslip/io/output/write_error.hpp"
 #include "microslip/io/recordings/recording_csv.hpp"
+#include "microslip/io/recordings/sampling.hpp"
 #include "microslip/io/uff/uff_recording.hpp"
 
 namespace microslip {
@@ -169,6 +170,18 @@ void write_format(OutputFiles& files, const std::string& path,
   }
 }
 
+/// Where a rate is stated the points may be untimed.
+RecordingReadOptions with_untimed(RecordingReadOptions options) {
+  options.allow_untimed = options.allow_untimed || options.rate;
+  return options;
+}
+
+void finish_reading(const RecordingReadOptions& options, const std::string& file,
+                    Recordings& recordings) {
+  if (options.rate) set_rate(*options.rate, file, recordings);
+  finish_units(options.assumed_units, recordings);
+}
+
 }  // namespace
 
 RecordingFormat recording_format(const std::string& path) {
@@ -227,18 +240,20 @@ std::string_view recording_kind(RecordingFormat format) {
 Recordings read_recordings(const std::string& path, const RecordingReadOptions& options) {
   const PartOfFile part = part_of_file(path);
   InputStream file(part.file);
-  Recordings result = within_memory(file.name(), [&] { return read_format(file, part, options); });
-  finish_units(options.assumed_units, result);
+  const RecordingReadOptions reading = with_untimed(options);
+  Recordings result = within_memory(file.name(), [&] { return read_format(file, part, reading); });
+  finish_reading(options, file.name(), result);
   return result;
 }
 
 Recordings read_recordings(const std::string& file, RecordingFormat format,
                            const RecordingReadOptions& options) {
   if (format == RecordingFormat::kCsv) return read_recordings(file, options);
+  const RecordingReadOptions reading = with_untimed(options);
   Recordings result = within_memory(file, [&] {
-    return read_by_path({file, ""}, format, options);
+    return read_by_path({file, ""}, format, reading);
   });
-  finish_units(options.assumed_units, result);
+  finish_reading(options, file, result);
   return result;
 }
 

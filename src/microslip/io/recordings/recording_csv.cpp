@@ -121,7 +121,7 @@ class CsvRecordingReader {
 
   /// The header is known as a whole.
   void start_rows() {
-    header_.resolve(options_.assumed_units, options_.allow_untimed, warnings_);
+    header_.resolve(options_, warnings_);
     header_resolved_ = true;
     values_.resize(header_.columns().size());
     left_out_.resize(header_.columns().size());

@@ -275,14 +275,14 @@ std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& ass
   return best;
 }
 
-void RecordingCsvHeader::resolve(const AssumedUnits& assumed, bool allow_untimed,
+void RecordingCsvHeader::resolve(const RecordingReadOptions& options,
                                  std::vector<Warning>& warnings) {
   tell_names_apart(warnings);
   for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i));
-  axis_ = find_axis(assumed);
-  if (axis_) resolve_axis(assumed);
+  axis_ = find_axis(options.assumed_units);
+  if (axis_) resolve_axis(options.assumed_units);
   warn_of_unknown_units(warnings);
-  if (!axis_ && !rate_ && allow_untimed && cells_.size() > 1) {
+  if (!axis_ && !rate_ && options.allow_untimed && (cells_.size() > 1 || options.rate)) {
     rate_ = 1.0;
     warnings.push_back(points_untimed(file_));
   }
@@ -333,9 +333,9 @@ void RecordingCsvHeader::throw_no_axis() const {
                     fmt::format("the columns {}", in_quotes(names, 120)),
                     cells_.size() == 1
                         ? "Is this line the header? Lines above it begin with '#'. Columns are "
-                          "separated by commas, semicolons or tabs."
-                        : "Name it with its unit, or give the rate in a comment line such as "
-                          "'# sampling_rate: 8192 Hz'.");
+                          "separated by commas, semicolons or tabs. Or give the rate by `rate`."
+                        : "Name it with its unit, or give the rate by `rate` or in a comment line "
+                          "such as '# sampling_rate: 8192 Hz'.");
 }
 
 std::string RecordingCsvHeader::label(std::size_t i) const {

@@ -12,6 +12,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
 #include "microslip/io/recordings/axis_rank.hpp"
+#include "microslip/io/recordings/recordings.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -56,8 +57,8 @@ class RecordingCsvHeader {
   /// @param warnings  on units that are not known, and on names that were changed.
   /// @throws FormatError  where the unit of the axis is unknown or missing, or there is no axis or
   ///                      nothing beside it.
-  /// @param allow_untimed  see RecordingReadOptions.
-  void resolve(const AssumedUnits& assumed, bool allow_untimed, std::vector<Warning>& warnings);
+  /// @param options  where a rate is stated a single column may be a channel, too.
+  void resolve(const RecordingReadOptions& options, std::vector<Warning>& warnings);
 
   /// Names and units of the columns, as far as they have been read.
   [[nodiscard]] std::vector<CsvColumn> columns_as_written() const;

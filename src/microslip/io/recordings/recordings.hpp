@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "microslip/base/progress.hpp"
@@ -25,6 +26,9 @@ struct RecordingReadOptions {
   /// a warning: for what depends on their order alone, as dry friction does. Otherwise that is an
   /// error.
   bool allow_untimed = false;
+  /// The rate, Hz, above 0, of points that nothing in the file places. A file that has times or a
+  /// rate of its own is refused, whatever allow_untimed is.
+  std::optional<double> rate = {};
   /// Bytes done of all bytes.
   Progress progress = {};
   /// For what the file gives no unit. read_recordings() gives them to the channels, whatever the

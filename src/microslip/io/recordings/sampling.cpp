@@ -17,6 +17,9 @@ namespace microslip {
 namespace {
 
 constexpr double kEven = 1e-6;
+constexpr std::string_view kUntimed = "points_untimed";
+constexpr double kUntimedStep = 1.0;  // s
+constexpr std::string_view kRateOption = "`rate`";
 constexpr double kEvenAsStated = 0.01;
 
 bool lies_evenly(const std::vector<double>& points, double step, double tolerance) {
@@ -222,15 +225,35 @@ bool may_be_untimed(std::span<const WithoutAxis> places) {
 }
 
 Warning points_untimed(std::string_view place) {
-  return {"points_untimed",
+  return {std::string(kUntimed),
           fmt::format("{}: has no time or sampling rate; its points are taken to be 1 s apart, so "
                       "that times are numbers of points and rates mean nothing",
                       place)};
 }
 
+void set_rate(double rate, std::string_view file, Recordings& recordings) {
+  if (!std::isfinite(rate) || !(rate > 0.0)) {
+    throw InputError(std::string(kRateOption), rate, "must be above 0 Hz and finite");
+  }
+  const auto is_untimed = [](const Warning& warning) { return warning.code == kUntimed; };
+  if (std::erase_if(recordings.warnings, is_untimed) == 0) {
+    throw InputError(
+        std::string(kRateOption), fmt::format("{:.12g} Hz", rate),
+        fmt::format("must not be given for {}: it has times or a rate of its own", file),
+        "Leave it out.");
+  }
+  for (Recording& recording : recordings.recordings) {
+    const bool untimed = recording.axis.even() && recording.axis.step == kUntimedStep;
+    if (untimed) recording.axis.step = 1.0 / rate;
+  }
+}
+
 FormatError no_sampling_rate(const WithoutAxis& place, std::string_view remedy) {
-  return {
-      {.file = place.place}, "a sampling rate", place.found.empty() ? "none" : place.found, remedy};
+  return {{.file = place.place},
+          "a sampling rate",
+          place.found.empty() ? "none" : place.found,
+          place.found.empty() ? fmt::format("{} Or give {}.", remedy, kRateOption)
+                              : std::string(remedy)};
 }
 
 std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }

@@ -140,6 +140,11 @@ void warn_without_rate(std::span<const WithoutAxis> places, std::vector<Warning>
 /// Warning on points that were.
 [[nodiscard]] Warning points_untimed(std::string_view place);
 
+/// Gives points that were taken to be 1 s apart the rate that is stated, in place of the warning.
+/// @param rate  Hz. @throws InputError  naming `file`, where it is not above 0 and finite, or the
+///     file has times or a rate of its own.
+void set_rate(double rate, std::string_view file, Recordings& recordings);
+
 /// The error where there is nothing else. @param remedy  what to add.
 [[nodiscard]] FormatError no_sampling_rate(const WithoutAxis& place, std::string_view remedy);
 

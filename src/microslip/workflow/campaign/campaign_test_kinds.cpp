@@ -84,6 +84,7 @@ void check_recording_keys(const CampaignTest& test, TestContent content) {
   if (!test.sensors.empty()) refuse("sensors");
   if (!test.assumed_units.empty()) refuse("assume_units");
   if (test.allow_truncated) refuse("allow_truncated");
+  if (test.rate) refuse("rate_Hz");
 }
 
 /// Reason why a table cannot be used as levels of modes, or as a recording;
@@ -414,6 +415,7 @@ TestReading campaign_reading(const CampaignTest& test) {
                       .sensors = test.sensors,
                       .channels = {.force = test.force, .displacement = test.displacement},
                       .reading = {.allow_truncated = test.allow_truncated,
+                                  .rate = test.rate,
                                   .assumed_units = parse_assumed_units(test.assumed_units)}};
   if (test.kind == CampaignKind::kRingDown && test.mode > 0) reading.modes = {test.mode};
   return reading;

@@ -72,6 +72,10 @@ void check_reading(const TestReading& reading, std::span<const ReadTest> read) {
   if (reading.reading.allow_truncated) {
     GivenOption("`allow_truncated`", "").require(read, is_recording, kRecordings);
   }
+  if (reading.reading.rate) {
+    GivenOption("`rate`", fmt::format("{:.12g} Hz", *reading.reading.rate))
+        .require(read, is_recording, kRecordings);
+  }
   if (!reading.channels.force.empty()) {
     GivenOption("`force`", reading.channels.force)
         .require(read, is_of_loops, "records of force and displacement");

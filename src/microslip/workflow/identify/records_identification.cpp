@@ -37,6 +37,7 @@ NamedValues record_of_options(const RecordsIdentification& options) {
   record.emplace_back("samples", static_cast<double>(options.options.draws));
   record.emplace_back("assume_units", list_of_texts(options.assumed_units));
   record.emplace_back("allow_truncated", options.reading.allow_truncated ? "yes" : "no");
+  if (options.reading.rate) record.emplace_back("rate_Hz", *options.reading.rate);
   if (!options.levels.empty()) {
     record.emplace_back("inner_reversals", options.use_inner_reversals ? "use" : "leave-out");
   }
@@ -147,6 +148,7 @@ RecordedReading recorded_reading(const NamedValues& options) {
   return {.channels = {.force = text_in(options, "force").value_or(""),
                        .displacement = text_in(options, "displacement").value_or("")},
           .reading = {.allow_truncated = text_in(options, "allow_truncated") == "yes",
+                      .rate = number_in(options, "rate_Hz"),
                       .assumed_units = parse_assumed_units(texts_in(options, "assume_units"))}};
 }
 

@@ -202,7 +202,11 @@ def draw_backbone(
     listener: Optional[Progress],
 ) -> dict[str, Any]: ...
 def read_recordings(
-    path: str, units: list[str], allow_truncated: bool, listener: Optional[Progress]
+    path: str,
+    units: list[str],
+    allow_truncated: bool,
+    rate: Optional[float],
+    listener: Optional[Progress],
 ) -> tuple[list[dict[str, Any]], list[tuple[str, str]]]: ...
 def write_recordings(
     path: str, recordings: list[dict[str, Any]], format: Optional[str], replace: bool

@@ -455,6 +455,7 @@ def read_recordings(
     *,
     assume_units: Union[None, str, Mapping[str, str], Sequence[str]] = None,
     allow_truncated: bool = False,
+    rate: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> list[Recording]:
     """Reads the recordings of a file, by its content: CSV, universal file (58, 58b), MATLAB, HDF5.
@@ -469,6 +470,8 @@ def read_recordings(
         line: ``["SI", "acc1=g"]``.
     allow_truncated : bool
         Whether to accept a file that ends before all data that it announces.
+    rate : float, optional
+        Sampling rate, Hz, for a file in which nothing gives times or a rate.
     progress : callable, optional
         Called with (bytes done, bytes); False cancels.
 
@@ -483,12 +486,14 @@ def read_recordings(
     FileError, FormatError
         Where the file cannot be read.
     ValueError
-        Where a unit of `assume_units` is unknown or does not fit.
+        Where a unit of `assume_units` is unknown or does not fit; where the file has times or a
+        rate and `rate` is given.
     """
     found, warnings = _core.read_recordings(
         path_of(path, "path"),
         _assumed(assume_units),
         flag(allow_truncated, "allow_truncated"),
+        None if rate is None else real(rate, "rate"),
         progress_of(progress),
     )
     warn_of(warnings)
