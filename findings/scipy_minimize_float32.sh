@@ -3,9 +3,9 @@
 #
 # Guess: the fit is right to some 6 digits, as least_squares and curve_fit of the same recording are.
 # Instead: the start is returned, "Optimization terminated successfully": BFGS, L-BFGS-B and SLSQP take a step of 1.5e-8
-#   for their derivative, whatever the type of the misfit, and a sum of 32-bit numbers does not change by it. The
-#   gradient is exactly 0. Nelder-Mead finds frequency and damping. least_squares looks at the type for its step,
-#   minimize does not; the pages of its methods give the step, and nothing of types.
+#   for their derivative, whatever the type, and residuals of 32 bits do not change by it. The gradient is exactly 0,
+#   also if they are summed in 64 bits. Nelder-Mead finds frequency and damping. least_squares looks at the type for
+#   its step, minimize does not; the pages of its methods give the step, and nothing of types.
 # Why it matters: WAV, TDMS and HDF5 files of recorders are 32-bit, and NumPy keeps 32 bits when only they and Python's
 #   own numbers meet. A frequency and a damping that were typed in as a start are reported as identified.
 # A way to live with it: recording.astype(float) first, and the same for the times. nit of the result, 0 or 1, gives it
