@@ -4,7 +4,7 @@
 #
 # Guess: 24 times the first bending mode. A Krylov space holds one copy of an eigenvalue, and rounding errors bring the
 #   others; that is known, and so is ARPACK's word for what has not converged.
-# Instead: of 30 start vectors, a fifth or more have copies missing, up to 5 of 24, and second bending modes in their
+# Instead: of 30 start vectors, a sixth to a third have copies missing, up to 5 of 24, and second bending modes in their
 #   place. No message, all residuals are rounding errors, and no tolerance is smaller than the one in force.
 #   Springs between the blades of 1e-12 of their stiffness, and all are there.
 # Why it matters: parts that repeat are common: blades, bolted specimens, wheels. The first family is taken for
