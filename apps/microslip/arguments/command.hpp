@@ -39,8 +39,7 @@ struct ExitStatusText {
 inline constexpr std::array<ExitStatusText, 4> kExitStatusTexts = {{
     {kDone, "done"},
     {kInputAtFault, "invalid input or call; one line names the place, the fault and the remedy"},
-    {kNotConverged,
-     "a solver did not converge; what it found is written and marked, if it found anything"},
+    {kNotConverged, "a solver did not converge; what it found, if anything, is written and marked"},
     {kFailed, "anything else, for instance a file that cannot be written"},
 }};
 

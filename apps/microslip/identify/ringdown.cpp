@@ -77,8 +77,8 @@ void add_ringdown(CLI::App& program, Call& call) {
   add_examples(*command,
                {"microslip ringdown decay.csv --modal-mass 1.2 --out levels.csv",
                 "microslip ringdown decay.csv --channel acc1 --frequency 50 --band 40:65 \\",
-                "          --modal-mass 1.2 --joint-ratio 0.3 --loss-factor 0.001 --out levels.csv",
-                "microslip ringdown decay.csv --out damping.csv",
+                "          --modal-mass 1.2 --joint-ratio 0.3 --loss-factor 0.001 \\",
+                "          --out levels.csv", "microslip ringdown decay.csv --out damping.csv",
                 "microslip ringdown decay.csv --channel acc1 --mode 1 --out modal_levels.csv",
                 "microslip ringdown blow.csv --model model.toml --sensor acc1=drive \\",
                 "          --sensor acc2=p2 --out modal_levels.csv"});

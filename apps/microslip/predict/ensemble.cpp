@@ -112,7 +112,7 @@ void add_ensemble(CLI::App& program, Call& call) {
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(*command,
                {"microslip ensemble plan.toml --out result.h5",
-                "microslip ensemble plan.toml --out result.h5 --shard 3/20   # by each of 20 jobs",
+                "microslip ensemble plan.toml --out result.h5 --shard 3/20   # each of 20 jobs",
                 "microslip ensemble plan.toml --out result.h5 --merge        # then",
                 "mpirun -n 64 microslip-mpi ensemble plan.toml --out result.h5"});
   command->callback(

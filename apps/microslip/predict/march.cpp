@@ -227,12 +227,13 @@ void add_march(CLI::App& program, Call& call) {
   add_examples(
       *command,
       {"microslip march model.toml --force-file force.csv --out march.csv",
-       "microslip march model.toml --force-file force.csv --step 20ms --every 10 --out -",
-       "microslip march model.toml --force-file force.csv --no-error-estimate --out march.csv",
-       "microslip march model.toml --release 1:2mm --duration 5s --sampling-rate 2kHz \\",
-       "          --out decay.csv",
-       "microslip march model.toml --force-file force.csv --draws 1000 --out march.csv \\",
-       "          --peaks-csv peaks.csv"});
+       "microslip march model.toml --force-file force.csv --step 20ms --every 10 \\",
+       "          --out -",
+       "microslip march model.toml --force-file force.csv --no-error-estimate \\",
+       "          --out march.csv", "microslip march model.toml --release 1:2mm --duration 5s \\",
+       "          --sampling-rate 2kHz --out decay.csv",
+       "microslip march model.toml --force-file force.csv --draws 1000 \\",
+       "          --out march.csv --peaks-csv peaks.csv"});
   command->callback([arguments, &call] {
     if (arguments->forces.empty() && arguments->duration.empty()) {
       throw CLI::RequiredError("--force-file, or --release and --duration,");

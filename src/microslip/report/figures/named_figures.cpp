@@ -124,7 +124,7 @@ constexpr const char* kNeedsDensities =
     "identifiability.csv, or joint.json of calibrate, or densities.csv, or several joints";
 
 constexpr std::array<NamedFigure, 28> kFigures = {{
-    {"energies", "input energy, linear loss and joint dissipation over the amplitude", "levels.csv",
+    {"energies", "input energy, linear loss and joint dissipation by amplitude", "levels.csv",
      has_levels, always, always, of_test<energies_figure>},
     {"density", "slip-force density with its band", "joint.json or density.csv", has_density, never,
      always, density},
@@ -135,9 +135,9 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
     {"stiffness", "secant stiffness over the amplitude",
      "joint.json or levels.csv with secant_stiffness [N/m]", has_stiffness, always, always,
      of_test<stiffness_figure>},
-    {"damping", "loss factor of the joint, or damping ratio of a ring-down, over the amplitude",
-     "joint.json or levels.csv with secant_stiffness [N/m]", has_damping, always, has_stiffness,
-     of_test<damping_figure>},
+    {"damping", "loss factor of the joint, or damping ratio, by amplitude",
+     "joint.json, or levels.csv with secant_stiffness [N/m] or damping_ratio [1]", has_damping,
+     always, has_stiffness, of_test<damping_figure>},
     {"force-control", "harmonics of the force before and after their control", "force_control.csv",
      [](const ResultInput& input) { return !input.test.force_control.empty(); }, never, never,
      force_control},
@@ -147,7 +147,7 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
      of_test<constant_response_figure>},
     {"verification", "recorded and predicted signals, or the error of each channel",
      "verification.csv or histories", has_verification, has_deviations, never, verification},
-    {"comparison", "measured and predicted tests of a structure, with the band of the draws",
+    {"comparison", "measured and predicted tests of a structure, with bands",
      "CSV of verify, of tests of a model",
      [](const ResultInput& input) { return !input.compared.empty(); }, never, never,
      [](const ResultInput& input, const FigureOptions& /*options*/) {
@@ -163,9 +163,8 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
      [](const ResultInput& input, const FigureOptions& options) {
        return backbone_figure(*input.backbone, options);
      }},
-    {"spectrum", "shock response spectrum: the largest acceleration over the frequency",
-     "CSV of spectrum", [](const ResultInput& input) { return input.spectrum.has_value(); }, never,
-     never,
+    {"spectrum", "shock response spectrum over the frequency", "CSV of spectrum",
+     [](const ResultInput& input) { return input.spectrum.has_value(); }, never, never,
      [](const ResultInput& input, const FigureOptions& /*options*/) {
        return alone(spectrum_figure(*input.spectrum));
      }},
@@ -180,18 +179,18 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
      [](const ResultInput& input, const FigureOptions& /*options*/) {
        return ensemble_figure(input.ensemble);
      }},
-    {"dissipation", "dissipation, secant stiffness and loss factor over the amplitude",
+    {"dissipation", "dissipation, secant stiffness and loss factor by amplitude",
      "joint.json or a CSV of dissipation", has_dissipation, always, has_joint_curves,
      dissipation_of},
-    {"force", "force of a record over time, measured and found, and the difference", kNeedsRecord,
-     has_record, never, never, panels_of_test<record_force_figure>, true},
+    {"force", "force of a record over time, measured, found, difference", kNeedsRecord, has_record,
+     never, never, panels_of_test<record_force_figure>, true},
     {"record-loops", "force of a record over its displacement, measured and found", kNeedsRecord,
      has_record, never, never, of_test<record_loops_figure>, true},
-    {"residuals", "measured less found force of a record, over time and displacement", kNeedsRecord,
-     has_record, never, never, panels_of_test<residuals_figure>, true},
+    {"residuals", "measured less found force over time and displacement", kNeedsRecord, has_record,
+     never, never, panels_of_test<residuals_figure>, true},
     {"densities", "densities of several joints with their bands", kNeedsDensities, has_densities,
      never, never, of_test<densities_figure>},
-    {"identifiability", "variance reduction of the density of each joint by modal levels",
+    {"identifiability", "variance reduction of each density by modal levels",
      "identifiability.csv or joint.json of calibrate", test_has<has_variance_reduction>, never,
      never, panels_of_test<identifiability_figure>},
     {"modal-losses", "loss of all joints over the displacement, by mode",
@@ -203,10 +202,9 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
     {"modal-frequencies", "change of the frequency over the displacement, by mode",
      "calibration.csv or modal_levels.csv with frequency [Hz]", test_has<has_modal_frequencies>,
      always, never, of_test<modal_frequency_figure>},
-    {"modal-residuals", "measured less found loss and frequency over the displacement, by mode",
-     "calibration.csv", test_has<has_modal_residuals>, always, never,
-     panels_of_test<modal_residuals_figure>},
-    {"joint-amplitudes", "displacement of each joint over that of the structure, by mode",
+    {"modal-residuals", "measured less found loss and frequency, by mode", "calibration.csv",
+     test_has<has_modal_residuals>, always, never, panels_of_test<modal_residuals_figure>},
+    {"joint-amplitudes", "displacement of each joint by that of the structure",
      "calibration.csv or modal_levels.csv with amplitude_NAME [m]", test_has<has_joint_amplitudes>,
      always, never, panels_of_test<joint_amplitudes_figure>},
     {"loss-shares", "share of each joint in the loss, by mode", "calibration.csv",
