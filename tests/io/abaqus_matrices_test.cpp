@@ -79,6 +79,9 @@ TEST(AbaqusMatricesFault, IsNamedByItsPlace) {
             "without them.");
   EXPECT_EQ(format_fault(replaced(kStiffness, "4.0D+00", "nan")),
             "k.mtx:4:10: expected a finite number, found 'nan'");
+  EXPECT_EQ(format_fault(kStiffness + "7,1, 8,1, 1.0e-0"),
+            "k.mtx:9:1: expected an end of line after the last entry, found the end of the file: "
+            "is it truncated?");
   EXPECT_EQ(format_fault(kStiffness + "*MATRIX INPUT, NAME=M\n"),
             "k.mtx:9:1: expected one matrix, found another *MATRIX INPUT");
   EXPECT_EQ(input_fault(kStiffness + "12,3, 7,1, -1.\n"),

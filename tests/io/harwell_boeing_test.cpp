@@ -93,9 +93,13 @@ TEST(HarwellBoeingFault, IsNamedByItsPlace) {
   EXPECT_EQ(fault(replaced(kTriangle, "    2    3    3\n", "    2    4    3\n")),
             "k.hb:7:20: expected rows from 1 to 3, found '4'");
   EXPECT_EQ(fault(replaced(kTriangle, "5.00000000D+00\n", "5.0000000*D+00\n")),
-            "k.hb:8:35: expected finite numbers, found '5.0000000*D+00'");
+            "k.hb:8:35: expected finite numbers with a point, found '5.0000000*D+00'");
+  EXPECT_EQ(fault(replaced(kTriangle, "5.00000000D+00\n", "500000000D+00\n")),
+            "k.hb:8:35: expected finite numbers with a point, found '500000000D+00'");
+  EXPECT_NE(fault(kWhole.substr(0, kWhole.size() - 6)).find("an end of line after the last entry"),
+            std::string::npos);
   EXPECT_EQ(fault(kTriangle.substr(0, kTriangle.find(" -2.0"))),
-            "k.hb:9:1: expected finite numbers, found the end of the file");
+            "k.hb:9:1: expected finite numbers with a point, found the end of the file");
   EXPECT_EQ(fault(replaced(kTriangle, "             5             0\n",
                            "    5000000000             0\n")),
             "k.hb:6:1: expected a last pointer of 5000000001, found 6");
@@ -109,6 +113,11 @@ TEST(CoordinateList, OfOneTriangleOrBothIsRead) {
   EXPECT_FALSE(is_coordinate_list("0.5 1 2\n"));
   expect_matrix(parse_coordinate_list(lower, "k.txt"));
   expect_matrix(parse_coordinate_list(lower + "1 2 -1\n2 3 -2\n", "k.txt"));
+  expect_matrix(parse_coordinate_list("% K\n3 3 5\n" + lower, "k.txt"));  // rows, columns, lines
+  expect_matrix(parse_coordinate_list(
+      "# savetxt\n1.0e+00 1.0e+00 4.0e+00\n2 1 -1\n2 2 5\n3 2 -2\n3 3 6", "k.txt"));
+  EXPECT_EQ(message_of<FormatError>([&] { (void)parse_coordinate_list("1 0.5 4\n", "k"); }),
+            "k:1:3: expected a column from 1 to 20000000, found 0.5");
   EXPECT_EQ(message_of<InputError>([&] { (void)parse_coordinate_list(lower + "1 2 -1\n", "k"); }),
             "k: entry (3, 2) = -2; must be that of (2, 3), 0, as the matrix must be symmetric. It "
             "has some entries of both triangles: all must be there, or those of one.");

@@ -444,6 +444,9 @@ TEST_F(Hdf5NetCdf, TakesTheFieldsOfATable) {
   const std::vector<double>& second = recording.channel("acc_2").values;
   ASSERT_EQ(second.size(), 3U);
   EXPECT_NEAR(second[2], 0.03, 1e-17);  // 30 mm/s²
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_NE(all.warnings[0].text.find("'note': left out, its values are no real numbers"),
+            std::string::npos);
   ASSERT_EQ(recording.left_out.size(), 1U);
   EXPECT_EQ(recording.left_out[0].name, "note");
   EXPECT_EQ(recording.left_out[0].reason, "its values are no real numbers");
@@ -459,6 +462,43 @@ TEST_F(Hdf5NetCdf, TakesTheRateOfATableFromItsAttributes) {
   }
   EXPECT_EQ(read().recordings.at(0).sampling_rate(), 1000.0);
   EXPECT_EQ(read().recordings.at(0).channels.size(), 4U);
+}
+
+// pandas 1.5: whole nanoseconds, which doubles do not hold, by the attribute NAME_dtype.
+TEST_F(Hdf5NetCdf, TakesDatesOfATable) {
+  struct Row {
+    std::int64_t time;
+    double force;
+  };
+  {
+    OtherFile file(path_);
+    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+    H5Tinsert(type, "time", HOFFSET(Row, time), H5T_NATIVE_INT64);
+    H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
+    constexpr std::int64_t kStart = 1704067200000000123;  // 2024
+    file.dataset<Row>("data", type, {3},
+                      {{kStart, 1.0}, {kStart + 1'000'000, 2.0}, {kStart + 2'000'000, 3.0}});
+    file.text("data", "time_dtype", "datetime64");
+    file.text("data", "units", "kN");  // of one field of two
+    H5Tclose(type);
+  }
+  const Recordings all = read();
+  EXPECT_EQ(all.recordings.at(0).axis.start, 0.0);
+  EXPECT_NEAR(all.recordings.at(0).sampling_rate(), 1000.0, 1e-9);
+  EXPECT_FALSE(all.recordings.at(0).channel("force").dimension);
+  ASSERT_EQ(all.warnings.size(), 1U);
+  EXPECT_EQ(all.warnings[0].code, "units_not_assigned");
+}
+
+TEST_F(Hdf5NetCdf, TakesTimesBesideATable) {
+  {
+    OtherFile file(path_);
+    const hid_t type = table_type("index");
+    file.dataset<TableRow>("data", type, {3}, kRows);
+    file.dataset<double>("time", H5T_NATIVE_DOUBLE, {3}, {0.0, 0.5, 1.0});
+    H5Tclose(type);
+  }
+  EXPECT_EQ(read().recordings.at(0).sampling_rate(), 2.0);
 }
 
 TEST_F(Hdf5NetCdf, NamesTablesWithoutTimes) {

@@ -65,6 +65,17 @@ class LvmFiles : public testing::Test {
 
 const Lines kRows{"0.000000\t1\t5", "0.001000\t2\t6", "0.002000\t3\t7", "0.003000\t4\t8"};
 
+// A section of one value a second keeps its times; the other has none.
+TEST_F(LvmFiles, TakeAStatedRateWhereTheyHaveNone) {
+  test::put(path_, file_header("No") + "Channels\t2\t\r\nDelta_X\t1.000000\t\t\r\n" + kSection +
+                       kTwo + "\t1\t5\r\n\t2\t6\r\n\t3\t7\r\n");
+  const Recordings read = read_recordings(path_, {.rate = 1000.0});
+  ASSERT_EQ(read.recordings.size(), 2U);
+  EXPECT_EQ(read.recordings[0].axis.step, 1.0);
+  EXPECT_EQ(read.recordings[1].axis.step, 1e-3);
+  EXPECT_TRUE(read.warnings.empty());
+}
+
 TEST_F(LvmFiles, GiveAnEntryOfAHeaderToItsChannelAlone) {
   const Recording recording =
       only(file_header("One") + "Channels\t2\r\nY_Unit_Label\tN\r\nDelta_X\t0.001000\r\n" +

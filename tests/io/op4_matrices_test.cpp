@@ -230,6 +230,26 @@ TEST(Op4, OfFormSixMayHaveOneTriangle) {
       std::string::npos);
 }
 
+// A row beyond all numbers must not pass by overflow; strings of a column rise, and its record is
+// used up.
+TEST(Op4Fault, OfRowsIsNamed) {
+  const std::string binary = bytes_of(kBigStringsBinary);
+  const auto fault = [](const std::string& bytes) {
+    return message_of<FormatError>([&] { (void)parse_op4(bytes, "KAA", "m.op4"); });
+  };
+  const auto with = [&](std::size_t at, std::string_view bytes) {
+    std::string changed = binary;
+    changed.replace(at, bytes.size(), bytes);
+    return changed;
+  };
+  constexpr std::size_t kFirstRow = 32 + 16 + 4;  // header; marker and column; length of string
+  EXPECT_NE(fault(with(kFirstRow, "\xff\xff\xff\x7f")).find("rows of column 1 beyond it"),
+            std::string::npos);
+  constexpr std::size_t kWords = 32 + 12;
+  EXPECT_NE(fault(with(kWords, std::string_view("\0\0\0\0", 4))).find("found more at byte"),
+            std::string::npos);
+}
+
 TEST(Op4Fault, IsNamed) {
   const auto input_fault = [](const std::string& text, const std::string& name) {
     return message_of<InputError>([&] { (void)parse_op4(text, name, "m.op4"); });

@@ -18,6 +18,7 @@
 #include "microslip/documents/structure/tested_structure_table.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/named_file.hpp"
+#include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/config/structured_input.hpp"
 #include "microslip/io/config/toml_input.hpp"
@@ -82,7 +83,20 @@ StructuralMatrices read_matrix_files(const TomlTable& table, std::string_view fi
     return read_named(table, "mass", mass,
                       [&](const std::string& its) { return read_dmig_matrices(stiffness, its); });
   }
-  if (read_named(table, "stiffness", stiffness, is_abaqus_matrix_file)) {
+  const bool of_abaqus = read_named(table, "stiffness", stiffness, is_abaqus_matrix_file);
+  if (of_abaqus != read_named(table, "mass", mass, is_abaqus_matrix_file)) {
+    throw InputError(table.name("mass"), in_quotes(mass),
+                     fmt::format("must be {}, as the stiffness is",
+                                 of_abaqus ? "a matrix of Abaqus" : "of another format"),
+                     "The entries of one name degrees of freedom, those of the other rows.");
+  }
+  if (of_abaqus) {
+    for (const auto& [key, path] : {std::pair{"stiffness", stiffness}, std::pair{"mass", mass}}) {
+      const std::string variable = part_of_file(path).variable;
+      if (variable.empty()) continue;
+      throw InputError(table.name(key), in_quotes(":" + variable),
+                       "must not follow a file of Abaqus, which has one matrix");
+    }
     refuse_degrees(table, "matrices of Abaqus", "nodes and degrees of freedom");
     return read_named(table, "mass", mass,
                       [&](const std::string& its) { return read_abaqus_matrices(stiffness, its); });

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -201,7 +202,8 @@ class ForeignReader {
       }
     }
     read_datasets(datasets, sampling, inside);
-    for (const Dataset& table : tables) read_table(table, sampling, inside);
+    const std::optional<AxisBeside> beside = groups_.back().axis;
+    for (const Dataset& table : tables) read_table(table, sampling, beside, inside);
     for (const auto& [name, handle] : groups) {
       read_group(handle.id(), inside + "/" + printable(name), sampling, depth + 1);
     }
@@ -264,14 +266,16 @@ class ForeignReader {
   }
 
   /// The fields of a table are channels, over that of its times where it has one.
-  void read_table(const Dataset& dataset, const Sampling& sampling, const std::string& inside) {
+  void read_table(const Dataset& dataset, const Sampling& sampling,
+                  const std::optional<AxisBeside>& beside, const std::string& inside) {
     const std::string& place = dataset.place;
     if (hdf5_sizes(dataset.handle.id()).size() != 1) {
       tables_.push_back(place);
       return;
     }
     Hdf5Table table = read_hdf5_table(dataset.handle.id(), place);
-    const std::optional<Axis> axis = axis_of_table(table, dataset, sampling);
+    std::ranges::copy(table.warnings, std::back_inserter(result_.warnings));
+    const std::optional<Axis> axis = axis_of_table(table, dataset, sampling, beside);
     if (!axis || table.fields.empty()) {
       tables_.push_back(place);
       return;
@@ -289,9 +293,10 @@ class ForeignReader {
     groups_.push_back(std::move(group));
   }
 
-  /// The field of times or frequencies is taken out of the table.
-  std::optional<Axis> axis_of_table(Hdf5Table& table, const Dataset& dataset,
-                                    const Sampling& known) {
+  /// The field of times or frequencies is taken out of the table; where it has none a dataset of
+  /// times beside it will do.
+  std::optional<Axis> axis_of_table(Hdf5Table& table, const Dataset& dataset, const Sampling& known,
+                                    const std::optional<AxisBeside>& beside) {
     const Sampling sampling = sampling_of(dataset.handle.id(), known, dataset.place);
     const auto take = [&](const char* name,
                           const Dimension& usual) -> std::optional<PointsOrFault> {
@@ -311,6 +316,9 @@ class ForeignReader {
     }
     for (const char* name : kFrequencyNames) {
       if (!read) read = take(name, kFrequency);
+    }
+    if (!read && beside && beside->read.points.points == hdf5_sizes(dataset.handle.id())[0]) {
+      read = beside->read;
     }
     if (read && read->fault.empty()) return read->points.axis;
     if (!read && sampling.step) return even_axis(sampling);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
 namespace microslip {
@@ -21,10 +22,12 @@ struct Hdf5Field {
 struct Hdf5Table {
   std::vector<Hdf5Field> fields = {};         ///< of real numbers, in the order of the file
   std::vector<LeftOutChannel> left_out = {};  ///< those of other types
+  std::vector<Warning> warnings = {};
 };
 
 /// A unit is the text of the attribute `NAME_unit` or `NAME_units`, that of `units` where this has
-/// one for each field, or in brackets behind the name of the field, as in tables of text.
+/// one for each field, or in brackets behind the name of the field, as in tables of text. Dates of
+/// pandas are seconds from the first on.
 /// @param place  of the dataset, for messages.
 /// @throws FormatError  where the file holds fewer rows than the dataset claims, or they are
 ///     damaged.

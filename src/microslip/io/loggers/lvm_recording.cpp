@@ -50,8 +50,8 @@ std::optional<double> lvm_time(std::string_view date, std::string_view time) {
 
 class LvmReader {
  public:
-  LvmReader(const std::string& path, LvmContents contents, bool allow_untimed)
-      : path_(path), contents_(std::move(contents)), allow_untimed_(allow_untimed) {}
+  LvmReader(const std::string& path, LvmContents contents, const RecordingReadOptions& options)
+      : path_(path), contents_(std::move(contents)), options_(options) {}
 
   Recordings read() {
     join_sections();
@@ -249,10 +249,10 @@ class LvmReader {
       axis.dimension = unit->dimension;
       return axis;
     }
-    if (!allow_untimed_) without_axis_.push_back({place_of(channel)});
-    if (!allow_untimed_) return std::nullopt;
-    if (!std::exchange(untimed_, true)) result_.warnings.push_back(points_untimed(path_));
-    return even_axis({.step = 1.0});
+    if (!options_.allow_untimed) without_axis_.push_back({place_of(channel)});
+    if (!options_.allow_untimed) return std::nullopt;
+    if (!std::exchange(untimed_, true)) result_.warnings.push_back(points_placed(options_, path_));
+    return even_axis({.step = untimed_step(options_)});
   }
 
   std::optional<Axis> axis_of_x(const LvmSection& section, const LvmChannel& from,
@@ -296,7 +296,7 @@ class LvmReader {
 
   const std::string& path_;
   LvmContents contents_;
-  bool allow_untimed_;
+  const RecordingReadOptions& options_;
   bool untimed_ = false;  ///< whether any points were taken so
   std::vector<WithoutAxis> without_axis_;
   Recordings result_;
@@ -306,7 +306,7 @@ class LvmReader {
 
 Recordings read_recordings_lvm(const std::string& path, const RecordingReadOptions& options) {
   const std::string text = to_utf8(read_text(path));
-  return LvmReader(path, parse_lvm(text, path), options.allow_untimed).read();
+  return LvmReader(path, parse_lvm(text, path), options).read();
 }
 
 }  // namespace microslip

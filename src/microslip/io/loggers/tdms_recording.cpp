@@ -94,8 +94,8 @@ class TdmsGroups {
   TdmsGroups(const std::string& path, TdmsContents contents)
       : path_(path), contents_(std::move(contents)) {}
 
-  Recordings read(bool allow_untimed) {
-    for (const TdmsGroup& group : groups()) read_group(group, allow_untimed);
+  Recordings read(const RecordingReadOptions& options) {
+    for (const TdmsGroup& group : groups()) read_group(group, options);
     if (result_.recordings.empty()) fail_without_recording();
     warn_without_rate(without_axis_, result_.warnings);
     if (contents_.truncated) {
@@ -137,7 +137,7 @@ class TdmsGroups {
     return fmt::format("{}: {}", path_, in_quotes(object.group + "/" + object.channel, 80));
   }
 
-  void read_group(const TdmsGroup& group, bool allow_untimed) {
+  void read_group(const TdmsGroup& group, const RecordingReadOptions& options) {
     GroupAxes axes{.outer = group.properties, .outermost = outermost_};
     std::vector<LoggedChannel> read;
     for (TdmsObject* const object : group.channels) read_channel(*object, axes, read);
@@ -155,7 +155,7 @@ class TdmsGroups {
       channels.push_back(std::move(logged));
     }
     warn_without_start(channels, axes);
-    add_channels(group, channels, allow_untimed);
+    add_channels(group, channels, options);
   }
 
   void read_channel(TdmsObject& object, GroupAxes& axes, std::vector<LoggedChannel>& channels) {
@@ -289,16 +289,16 @@ class TdmsGroups {
   }
 
   void add_channels(const TdmsGroup& group, std::vector<LoggedChannel>& channels,
-                    bool allow_untimed) {
+                    const RecordingReadOptions& options) {
     align(group, channels);
     const bool untimed =
-        allow_untimed && std::ranges::none_of(channels, [](const LoggedChannel& logged) {
+        options.allow_untimed && std::ranges::none_of(channels, [](const LoggedChannel& logged) {
           return logged.axis.has_value();
         });
-    if (untimed && !channels.empty()) result_.warnings.push_back(points_untimed(path_));
+    if (untimed && !channels.empty()) result_.warnings.push_back(points_placed(options, path_));
     std::vector<Recording> recordings;
     for (LoggedChannel& logged : channels) {
-      if (untimed) logged.axis = even_axis({.step = 1.0});
+      if (untimed) logged.axis = even_axis({.step = untimed_step(options)});
       if (!logged.axis) {
         without_axis_.push_back({place_of(*logged.object)});
         continue;
@@ -332,8 +332,7 @@ class TdmsGroups {
 }  // namespace
 
 Recordings read_recordings_tdms(const std::string& path, const RecordingReadOptions& options) {
-  return TdmsGroups(path, read_tdms(path, options.allow_truncated, options.progress))
-      .read(options.allow_untimed);
+  return TdmsGroups(path, read_tdms(path, options.allow_truncated, options.progress)).read(options);
 }
 
 }  // namespace microslip

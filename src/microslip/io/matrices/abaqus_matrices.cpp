@@ -16,12 +16,13 @@
 #include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/matrices/degree_entries.hpp"
+#include "microslip/io/matrices/symmetric_entries.hpp"
 #include "microslip/io/uff/uff_fields.hpp"
 
 namespace microslip {
 namespace {
 
-constexpr std::size_t kAbaqusHead = 4096;
+constexpr std::size_t kAbaqusHead = 65536;  // comments may fill much of it
 constexpr std::size_t kAbaqusCells = 5;
 
 /// A cell, and the column of the line that it begins in, from 1.
@@ -103,6 +104,7 @@ class AbaqusMatrix {
         add(lines.line());
       }
     }
+    require_whole_lines(source.text, place(1));
   }
 
   DegreeMatrix take() && {

@@ -16,7 +16,8 @@ namespace microslip {
 [[nodiscard]] bool is_coordinate_list(std::string_view head);
 
 /// A matrix of as many rows as the largest row or column of an entry. Symmetric: of both triangles
-/// where any entry has one across the diagonal, else of one; entries of one place add up.
+/// where any entry has one across the diagonal, else of one; entries of one place add up. A first
+/// line of rows, columns and the number of lines behind it is no entry; comments begin with % or #.
 /// @param file  its name, for messages.
 /// @throws FormatError  with line and column. @throws InputError  where it is not symmetric.
 [[nodiscard]] SymmetricEntries parse_coordinate_list(std::string_view text, std::string_view file);

@@ -65,8 +65,10 @@ std::optional<FieldForm> field_form(std::string_view format, std::string_view le
   for (std::size_t at = text.find('(', 1); at < letter; at = text.find('(', at + 1)) {
     form.count *= repetitions(text, at);
   }
-  const std::size_t end = std::min(text.find_first_not_of("0123456789", letter + 1), text.size());
-  const auto width = whole_number(text.substr(letter + 1, end - letter - 1));
+  std::size_t begin = letter + 1;
+  if (begin < text.size() && (text[begin] == 'S' || text[begin] == 'N')) ++begin;  // ES20.12
+  const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
+  const auto width = whole_number(text.substr(begin, end - begin));
   const bool fits = width && *width > 0 && *width <= static_cast<std::int64_t>(kLongestField) &&
                     form.count > 0 && form.count <= kLongestField;
   if (!fits) return std::nullopt;
@@ -239,10 +241,12 @@ MatrixEntries read_columns(FixedLines& lines, const HarwellBoeingHeader& header)
                    entries.row.push_back(static_cast<std::int32_t>(*value - 1));
                    return true;
                  });
-  for_each_field(lines, header.entries, header.values, "finite numbers",
+  for_each_field(lines, header.entries, header.values, "finite numbers with a point",
                  [&](std::string_view field) {
                    const auto value = uff_number(field);
+                   // Without a point the format would place it.
                    if (!value || !std::isfinite(*value)) return false;
+                   if (*value != 0.0 && field.find('.') == std::string_view::npos) return false;
                    entries.value.push_back(*value);
                    return true;
                  });
@@ -281,6 +285,7 @@ SymmetricEntries parse_harwell_boeing(std::string_view text, std::string_view fi
   FixedLines lines(text, file);
   const HarwellBoeingHeader header = read_header_of(lines);
   MatrixEntries entries = read_columns(lines, header);
+  require_whole_lines(text, lines.place(0));
   if (header.type[1] == 'S') return symmetric_of_triangle(std::move(entries), file);
   return symmetric_of_both(entries, file, "A matrix of one triangle has the type RSA.");
 }

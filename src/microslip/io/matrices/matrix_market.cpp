@@ -46,7 +46,9 @@ Header read_header(const NumberLines& lines) {
   const std::vector<std::string> words = words_of(lines.line());
   if (words.size() != 5 || words[0] != kBanner || words[1] != "matrix") {
     throw FormatError(lines.place(), "%%MatrixMarket matrix coordinate real symmetric",
-                      in_quotes(lines.line()));
+                      in_quotes(lines.line()),
+                      "Or lines of row, column and value, *MATRIX OUTPUT of Abaqus, "
+                      "Harwell-Boeing, OP4, MATLAB or HDF5.");
   }
   Header header;
   header.array = words[2] == "array";

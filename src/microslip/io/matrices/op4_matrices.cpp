@@ -22,14 +22,12 @@ namespace {
 constexpr std::int64_t kRowBits = 16;  // of a string's first integer, where it has the length, too
 constexpr std::int64_t kBigRows = 65536;
 constexpr std::int64_t kFormSymmetric = 6;
-constexpr std::int64_t kFormDiagonal = 3;
-constexpr std::int64_t kFormIdentity = 8;
+constexpr std::int64_t kFormIdentity = 8;  // of which no entries are there
 
 bool is_taken(const Op4Header& header) {
   const std::int64_t rows = std::abs(header.rows);
   return header.type <= 2 && rows == header.columns && rows >= 1 &&
-         rows <= static_cast<std::int64_t>(kMostDegreesOfFreedom) && header.form != kFormDiagonal &&
-         header.form != kFormIdentity;
+         rows <= static_cast<std::int64_t>(kMostDegreesOfFreedom) && header.form != kFormIdentity;
 }
 
 std::string words_of(const Op4Header& header) {
@@ -57,6 +55,7 @@ class Op4Reader {
       if (column.column <= last || column.row < 0 || column.words < 0)
         fail("column", column.column);
       last = column.column;
+      last_row_ = 0;
       if (column.row > 0) {
         add(column.column, column.row, source_.numbers_in(column.words, true));
       } else {
@@ -82,9 +81,10 @@ class Op4Reader {
   }
 
   void add(std::int64_t column, std::int64_t row, std::size_t count) {
-    const std::int64_t per_entry = header_.type > 2 ? 2 : 1;
-    const auto numbers = static_cast<std::int64_t>(count);
-    if (row + numbers / per_entry - 1 > std::abs(header_.rows)) fail("rows of column", column);
+    const std::int64_t rows = std::abs(header_.rows);
+    const auto entries = static_cast<std::int64_t>(count) / (header_.type > 2 ? 2 : 1);
+    if (row <= last_row_ || row > rows || entries > rows - row + 1) fail("rows of column", column);
+    last_row_ = row + entries - 1;
     const std::vector<double> values = source_.numbers(count);
     if (!keep_) return;
     for (std::size_t i = 0; i < count; ++i) {
@@ -106,6 +106,7 @@ class Op4Reader {
   Op4Source& source_;
   Op4Header header_;
   bool keep_ = false;
+  std::int64_t last_row_ = 0;  ///< of the column: strings rise
   MatrixEntries entries_ = {.size = 0, .row = {}, .column = {}, .value = {}};
 };
 
@@ -140,7 +141,7 @@ SymmetricEntries parse_op4(std::string_view bytes, std::string_view name, const 
     if (is_taken(*header)) taken.push_back(header->name);
     if (wants && !is_taken(*header)) {
       throw InputError(fmt::format("{}: {}", file, header->name), words_of(*header),
-                       "must be real and square");
+                       "must be real, square and there: of the form 8, identity, nothing is");
     }
     const bool first = wants && !chosen;
     if (wants && chosen && !wanted.empty()) {

@@ -14,6 +14,7 @@
 
 #include "microslip/io/bytes/byte_order.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/matrices/symmetric_entries.hpp"
 #include "microslip/io/uff/uff_fields.hpp"
 
 namespace microslip {
@@ -39,9 +40,8 @@ std::optional<std::int64_t> op4_integer(std::string_view line, std::size_t begin
 
 bool is_name(std::string_view name) {
   name = trimmed(name);
-  return !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '#' || c == '*';
-  });
+  return !name.empty() && std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
+         std::ranges::all_of(name, [](char c) { return c >= ' ' && c <= '~'; });
 }
 
 /// A header line, and how its numbers are written: "1P,5E16.9" behind the name.
@@ -179,7 +179,15 @@ std::vector<double> Op4Text::numbers(std::size_t count) {
   return values;
 }
 
-void Op4Text::end_matrix() { next_line(); }
+void Op4Text::end_matrix() {
+  next_line();
+  if (rest_.empty()) require_whole_lines(text_, place());
+}
+
+void Op4Binary::end_column() {
+  if (at_ != record_end_) fail("the end of the record of a column", "more");
+  end_record();
+}
 
 Op4Binary::Op4Binary(std::string_view bytes, std::string file)
     : bytes_(bytes), file_(std::move(file)) {

@@ -53,7 +53,8 @@ class Op4Source {
 /// Text.
 class Op4Text : public Op4Source {
  public:
-  Op4Text(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {}
+  Op4Text(std::string_view text, std::string file)
+      : text_(text), rest_(text), file_(std::move(file)) {}
 
   std::optional<Op4Header> header() override;
   Op4Column column() override;
@@ -69,6 +70,7 @@ class Op4Text : public Op4Source {
   std::string_view need_line();
   std::int64_t integer(std::size_t begin, std::size_t width) const;
 
+  std::string_view text_;
   std::string_view rest_;
   std::string file_;
   std::string_view line_;
@@ -88,7 +90,7 @@ class Op4Binary : public Op4Source {
   std::vector<std::int64_t> integers(std::size_t count) override;
   [[nodiscard]] std::size_t numbers_in(std::int64_t words, bool dense) const override;
   std::vector<double> numbers(std::size_t count) override;
-  void end_column() override { end_record(); }
+  void end_column() override;
   void end_matrix() override { end_record(); }
   [[nodiscard]] TextPlace place() const override { return {file_, 0, 0}; }
 

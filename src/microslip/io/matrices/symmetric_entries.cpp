@@ -60,6 +60,12 @@ std::vector<Pair> pairs_of(const MatrixEntries& entries) {
 
 }  // namespace
 
+void require_whole_lines(std::string_view text, const TextPlace& place) {
+  if (text.ends_with('\n')) return;
+  throw FormatError(place, "an end of line after the last entry",
+                    "the end of the file: is it truncated?");
+}
+
 bool has_both_triangles(const MatrixEntries& entries) {
   std::vector<std::pair<std::int32_t, std::int32_t>> below;
   std::vector<std::pair<std::int32_t, std::int32_t>> above;

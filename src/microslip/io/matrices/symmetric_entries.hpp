@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/structure/structural_matrices.hpp"
 
 /// @file
@@ -28,6 +29,10 @@ struct MatrixEntries {
 ///                     1e-8 √(a_ii a_jj).
 [[nodiscard]] SymmetricEntries symmetric_of_both(const MatrixEntries& entries,
                                                  std::string_view file, std::string_view remedy);
+
+/// Where a program writes whole lines a text that ends within one may lack digits of its last
+/// number. @throws FormatError  where the text does not end with a line. @param place  of its last.
+void require_whole_lines(std::string_view text, const TextPlace& place);
 
 /// Whether an entry off the diagonal has one across the diagonal.
 [[nodiscard]] bool has_both_triangles(const MatrixEntries& entries);

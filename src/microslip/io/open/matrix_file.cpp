@@ -16,7 +16,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t kSignatureSize = 4096;
+constexpr std::size_t kSignatureSize = 65536;  // comments may fill much of it
 
 }  // namespace
 

@@ -172,6 +172,7 @@ void write_format(OutputFiles& files, const std::string& path,
 
 /// Where a rate is stated the points may be untimed.
 RecordingReadOptions with_untimed(RecordingReadOptions options) {
+  if (options.rate) check_rate(*options.rate);
   options.allow_untimed = options.allow_untimed || options.rate;
   return options;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kEven = 1e-6;
 constexpr std::string_view kUntimed = "points_untimed";
-constexpr double kUntimedStep = 1.0;  // s
+constexpr std::string_view kPlaced = "points_placed";  // is never shown
 constexpr std::string_view kRateOption = "`rate`";
 constexpr double kEvenAsStated = 0.01;
 
@@ -231,10 +231,14 @@ Warning points_untimed(std::string_view place) {
                       place)};
 }
 
+void check_rate(double rate) {
+  if (std::isfinite(1.0 / rate) && rate > 0.0 && std::isfinite(rate)) return;
+  throw InputError(std::string(kRateOption), rate, "must be above 0 Hz and finite");
+}
+
 void set_rate(double rate, std::string_view file, Recordings& recordings) {
-  if (!std::isfinite(rate) || !(rate > 0.0)) {
-    throw InputError(std::string(kRateOption), rate, "must be above 0 Hz and finite");
-  }
+  const auto is_placed = [](const Warning& warning) { return warning.code == kPlaced; };
+  if (std::erase_if(recordings.warnings, is_placed) > 0) return;
   const auto is_untimed = [](const Warning& warning) { return warning.code == kUntimed; };
   if (std::erase_if(recordings.warnings, is_untimed) == 0) {
     throw InputError(
@@ -242,10 +246,15 @@ void set_rate(double rate, std::string_view file, Recordings& recordings) {
         fmt::format("must not be given for {}: it has times or a rate of its own", file),
         "Leave it out.");
   }
-  for (Recording& recording : recordings.recordings) {
-    const bool untimed = recording.axis.even() && recording.axis.step == kUntimedStep;
-    if (untimed) recording.axis.step = 1.0 / rate;
-  }
+  for (Recording& recording : recordings.recordings) recording.axis.step = 1.0 / rate;
+}
+
+double untimed_step(const RecordingReadOptions& options) {
+  return options.rate ? 1.0 / *options.rate : 1.0;
+}
+
+Warning points_placed(const RecordingReadOptions& options, std::string_view place) {
+  return options.rate ? Warning{std::string(kPlaced), {}} : points_untimed(place);
 }
 
 FormatError no_sampling_rate(const WithoutAxis& place, std::string_view remedy) {

@@ -140,9 +140,18 @@ void warn_without_rate(std::span<const WithoutAxis> places, std::vector<Warning>
 /// Warning on points that were.
 [[nodiscard]] Warning points_untimed(std::string_view place);
 
+/// @throws InputError  where a rate, Hz, is not above 0 and finite.
+void check_rate(double rate);
+
+/// The step of points that nothing places, s: by the rate that is stated, else 1.
+[[nodiscard]] double untimed_step(const RecordingReadOptions& options);
+
+/// points_untimed() of a reader that took untimed_step(), for a file some of whose recordings may
+/// have times: where a rate is stated it tells set_rate() that nothing is left to do.
+[[nodiscard]] Warning points_placed(const RecordingReadOptions& options, std::string_view place);
+
 /// Gives points that were taken to be 1 s apart the rate that is stated, in place of the warning.
-/// @param rate  Hz. @throws InputError  naming `file`, where it is not above 0 and finite, or the
-///     file has times or a rate of its own.
+/// @param rate  Hz. @throws InputError  naming `file`, where it has times or a rate of its own.
 void set_rate(double rate, std::string_view file, Recordings& recordings);
 
 /// The error where there is nothing else. @param remedy  what to add.
