@@ -92,6 +92,23 @@ TEST(identify_records, ChoosesChannels) {
   expect_done(box, with(kIdentify, {"--force", "f2", "--displacement", "u1"}));
 }
 
+// Friction depends on the order of the samples alone; a viscous part is of a rate.
+TEST(identify_records, TakesUnevenTimes) {
+  const Sandbox box = sandbox();
+  const ForceRecord record = sample_record();
+  std::string text = "time [s],u [m],f [N]\n";
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    text += fmt::format("{:.6f},{:.9g},{:.9g}\n",
+                        1e-3 * (static_cast<double>(i) + (i % 3 == 0 ? 0.03 : 0.0)),
+                        record.displacement[i], record.force[i]);
+  }
+  box.put("uneven.csv", text);
+  expect_done(box, {"identify", "uneven.csv", "--out", "j.json"});
+  expect_refused(box, {"identify", "uneven.csv", "--viscous", "fit", "--out", "j.json"},
+                 {"time step", "--resample"});
+  expect_done(box, {"levels", "uneven.csv", "--out", "levels.csv"});
+}
+
 TEST(identify_records, RefusesWhatIsNoRecordOfAJoint) {
   const Sandbox box = sandbox();
   ForceRecord swapped = sample_record();
@@ -205,10 +222,10 @@ TEST(identify_records, KeepsTheDraws) {
   EXPECT_EQ(draws.method, "posterior of records");
   const json file = json::parse(box.get("joint.json"));
   EXPECT_EQ(file.at("provenance").at("options").at("samples_out"), "draws.h5");
-  // The band of k is theirs, and the joint is within it.
+  // The band of k contains 95 % of them at least, and the joint.
   const std::vector<double> band = file.at("identification").at("band_stiffness_N_per_m");
   const auto inside = [&](double k) { return band.at(0) <= k && k <= band.at(1); };
-  EXPECT_EQ(std::ranges::count_if(draws.stiffness, inside), 190);
+  EXPECT_GE(std::ranges::count_if(draws.stiffness, inside), 190);
   EXPECT_TRUE(inside(file.at("stiffness_N_per_m")));
   for (std::size_t i = 0; i < draws.size(); ++i) {
     EXPECT_LE(draws.joint(i).density().total().zeroth, 1.0 + 1e-12);

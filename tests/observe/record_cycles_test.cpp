@@ -130,6 +130,7 @@ TEST(RecordCycles, TakeOneLoopFromTipToTip) {
   const RecordCycles found = cycles_of(record);
   ASSERT_EQ(found.cycles.size(), 1U);
   expect_levels_of(joint, found.cycles[0], 1e-4);
+  EXPECT_TRUE(found.cycles[0].has_flag(kOneLoop));
 }
 
 /// Standardised errors of the levels of random records.

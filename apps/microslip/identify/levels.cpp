@@ -47,7 +47,7 @@ void add_levels(CLI::App& program, Call& call) {
       "levels", "Levels of the closed cycles of force-displacement records of a joint");
   command
       ->add_option("records", arguments->options.records,
-                   "Recordings of force and displacement of one joint over time, evenly sampled: "
+                   "Recordings of force and displacement of one joint over time: "
                    "loops of any waveform, or random motion")
       ->required()
       ->type_name(kRecordingValue);

@@ -262,6 +262,7 @@ class CycleFinder {
       const bool cut_out = i == 0 && as_large > kLoopAlone * whole_ && force_returns(cycle, loop);
       if (!cut_out && (i == 0 || range(i - 1) < (1.0 - kGrows) * range(i))) continue;
       cycle.inner = inner_of(cycle.first, last);
+      if (cut_out && turns_.size() == 3) cycle.flags.emplace_back(kOneLoop);
       keep(std::move(cycle));
       ++i;  // the return is no branch of another cycle
     }

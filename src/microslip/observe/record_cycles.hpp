@@ -48,6 +48,7 @@ struct RecordCycle {
 /// Flags of cycles.
 inline constexpr std::string_view kNotClosed = "not_closed";  ///< F at a differs from before
 inline constexpr std::string_view kMeanMoves = "mean_moves";  ///< similar cycles drift to one side
+inline constexpr std::string_view kOneLoop = "one_loop";      ///< no range before it, or behind it
 inline constexpr std::string_view kFewSamples =
     "few_samples";  ///< chords of them cut the loop short
 

@@ -16,6 +16,10 @@ namespace {
 constexpr double kFoldsBelow = 1.5;
 constexpr int kTailKnots = 3;
 
+double first_knot(double lowest, double top) {
+  return std::min(lowest, 0.5 * top) * std::exp(-kFoldsBelow);
+}
+
 }  // namespace
 
 // Equally spaced in s^P, P ≤ ½: at equal relative scatter of D the width that can be resolved grows
@@ -24,11 +28,8 @@ constexpr int kTailKnots = 3;
 InversionBasis::InversionBasis(double lowest, double top, double exponent, int coefficients,
                                const std::vector<BasisEdge>& edges)
     : intervals_(coefficients - 1.0), coordinate_(coefficients + std::ssize(edges)), first_{0} {
-  const double first = std::min(lowest, 0.5 * top) * std::exp(-kFoldsBelow);
-  power_ = std::min(0.5, std::log(10.0) / std::log(1.0 / first));
-  from_ = std::pow(first, power_);
-  to_ = std::pow(top, power_);
-  for (int i = kTailKnots; i > 0; --i) knots_.push_back(first * std::exp(-i));
+  const double first = first_knot(lowest, top);
+  set_range(first, top);
   auto edge = edges.begin();
   Eigen::Index row = 0;
   for (int j = 0; j < coefficients; ++j) {
@@ -41,9 +42,31 @@ InversionBasis::InversionBasis(double lowest, double top, double exponent, int c
     knots_.push_back(knots_.back() * (1.0 + kWidth));
     ++edge;
   }
+  set_ends(first, top, exponent);
+}
+
+InversionBasis::InversionBasis(double lowest, double top, double exponent,
+                               const std::vector<double>& places)
+    : intervals_(static_cast<double>(places.size()) - 1.0),
+      coordinate_(Eigen::VectorXd::LinSpaced(std::ssize(places), 0.0, intervals_)),
+      first_{0} {
+  const double first = first_knot(lowest, top);
+  set_range(first, top);
+  for (const double place : places) knots_.push_back(slip_force(place));
+  set_ends(first, top, exponent);
+}
+
+/// The coordinate of the knots, and the knots of the tail.
+void InversionBasis::set_range(double first, double top) {
+  power_ = std::min(0.5, std::log(10.0) / std::log(1.0 / first));
+  from_ = std::pow(first, power_);
+  to_ = std::pow(top, power_);
+  for (int i = kTailKnots; i > 0; --i) knots_.push_back(first * std::exp(-i));
+}
+
+void InversionBasis::set_ends(double first, double top, double exponent) {
   knots_[kTailKnots] = first;
   knots_.back() = top;
-
   nodal_ = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(knots_.size()), size());
   for (Eigen::Index j = 0; j < nodal_.rows(); ++j) {
     const double reference = std::pow(knots_[static_cast<std::size_t>(j)], exponent);

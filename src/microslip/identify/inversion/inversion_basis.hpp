@@ -36,6 +36,13 @@ class InversionBasis {
   InversionBasis(double lowest, double top, double exponent, int coefficients,
                  const std::vector<BasisEdge>& edges = {});
 
+  /// The same with knots at other places, which are equally far apart to the roughness penalty:
+  /// where they are close to each other the density may change more quickly.
+  /// @param lowest, top, exponent  as above.
+  /// @param places  of the knots among equally spaced ones, in their spacings: rising from 0 to
+  ///                places.size() − 1; 4 or more.
+  InversionBasis(double lowest, double top, double exponent, const std::vector<double>& places);
+
   static constexpr double kWidth = 1e-6;   ///< of an edge, over its slip force
   static constexpr int kLeastBetween = 2;  ///< spacings
 
@@ -85,6 +92,9 @@ class InversionBasis {
   [[nodiscard]] Eigen::VectorXd middles() const;
 
  private:
+  void set_range(double first, double top);
+  void set_ends(double first, double top, double exponent);
+
   double intervals_;
   double power_;
   double from_;  // of s^power

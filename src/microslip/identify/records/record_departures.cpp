@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "microslip/algebra/cholesky.hpp"
+#include "microslip/identify/records/steady_turns.hpp"
 
 namespace microslip {
 namespace {
@@ -227,6 +228,12 @@ RecordVerdict against_others(const SettledRecords& settled, const ScaledRecords&
   return verdict;
 }
 
+/// A record that repeats itself has none of these. Their columns would explain what a joint misses
+/// while the motion grows.
+bool changes_over_time(RecordDeparture departure) {
+  return departure == RecordDeparture::kDrift || departure == RecordDeparture::kOffset;
+}
+
 /// The detected departures that have columns; the largest first.
 std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
                                          const ScaledRecords& records, std::size_t record) {
@@ -234,13 +241,18 @@ std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
   Joined joined(settled);
   std::vector<RecordVerdict> verdicts;
   std::vector<RecordDeparture> open(kRecordDepartures.begin(), kRecordDepartures.end() - 1);
+  const std::optional<TurnTrend> trend =
+      turn_trend(records.records[record],
+                 settled.settings.scatter[record] * records.stiffness * records.length);
+  const bool steady = trend && trend->steady();
   double least = 0.0;
   while (!open.empty()) {
     std::vector<Judged> judged;
     for (const RecordDeparture departure : open) {
       judged.push_back(judge(settled, records, record, departure, signals, joined));
       RecordVerdict& verdict = judged.back().verdict;
-      verdict.broken = verdict.broken && verdict.share > least;
+      verdict.broken =
+          verdict.broken && verdict.share > least && !(steady && changes_over_time(departure));
     }
     const auto most = std::ranges::max_element(
         judged, {}, [](const Judged& one) { return one.verdict.broken ? one.gain : 0.0; });

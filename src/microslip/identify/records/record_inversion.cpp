@@ -11,6 +11,7 @@
 #include "microslip/base/interpolation.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/identify/posterior/chi_squared.hpp"
 #include "microslip/identify/posterior/posterior_chain.hpp"
 #include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/identify/records/level_agreement.hpp"
@@ -26,6 +27,14 @@ namespace {
 
 constexpr std::size_t kFewestReversals = 2;
 constexpr std::size_t kFewestDraws = 100;
+/// Stream of the order of draws; those of the priors come before it.
+constexpr std::uint64_t kOrderStream = 64;
+/// Share of the force that a departure explains from which on the joint is fitted to the force as
+/// it is, and not as residuals of noise would be.
+constexpr double kFarDeparture = 0.05;
+/// Knot behind the end of a density, over it: from there it is 0.
+constexpr double kJustBeyond = 1.0 + 1e-6;
+
 /// Reads coefficients as joints.
 class DrawReader {
  public:
@@ -41,6 +50,7 @@ class DrawReader {
     const Eigen::VectorXd psi = density_ * x;
     draw.density.push_back(psi(0));
     draw.density.insert(draw.density.end(), psi.begin(), psi.end());
+    if (records_.top < 1.0) draw.density.insert(draw.density.end(), 2, 0.0);
     draw.stiffness = records_.stiffness_known ? records_.stiffness : (area_ + elastic_).dot(x);
     draw.viscous = viscous_.dot(x);
     return draw;
@@ -50,6 +60,16 @@ class DrawReader {
     return records_.stiffness_known ? records_.stiffness - area_.dot(x) : elastic_.dot(x);
   }
 
+  /// The rows that give k, K_e and c from coefficients, but for what is known of them.
+  [[nodiscard]] Eigen::VectorXd stiffness_row() const {
+    if (records_.stiffness_known) return Eigen::VectorXd::Zero(area_.size());
+    return area_ + elastic_;
+  }
+  [[nodiscard]] Eigen::VectorXd elastic_row() const {
+    return records_.stiffness_known ? Eigen::VectorXd(-area_) : elastic_;
+  }
+  [[nodiscard]] const Eigen::VectorXd& viscous_row() const { return viscous_; }
+
  private:
   const ScaledRecords& records_;
   Eigen::MatrixXd density_;
@@ -58,10 +78,23 @@ class DrawReader {
   Eigen::VectorXd viscous_;
 };
 
-/// Where limits or the smoothing act, nearly all draws may lie on one side of the estimate.
-Estimate within_band(double value, std::vector<double> draws, double confidence) {
+/// Where limits or the smoothing act, nearly all draws may lie on one side of the estimate: the
+/// limits that it is at hold in truth to within its own deviation alone.
+Estimate within_band(double value, double deviation, std::vector<double> draws, double confidence) {
   const auto [lower, upper] = shortest_interval(draws, confidence);
-  return {value, std::min(lower, value), std::max(upper, value)};
+  const double reach = deviation * std::sqrt(ChiSquared(1.0).quantile(confidence));
+  return {value, std::min(lower, std::max(0.0, value - reach)), std::max(upper, value + reach)};
+}
+
+/// Standard deviation of a linear function of the coefficients that are free.
+double deviation_of(const SettledRecords& settled, const Eigen::VectorXd& function) {
+  const SmoothingProblem& problem = settled.model.problem();
+  const SmoothingPoint& best = settled.best;
+  const std::vector<Eigen::Index> free = free_coefficients(best.solution);
+  const Eigen::VectorXd own = function(free);
+  const Eigen::MatrixXd hessian = problem.hessian(best.lambda)(free, free);
+  const double freedom = std::max(1.0, static_cast<double>(problem.rows()) - best.edf);
+  return std::sqrt(own.dot(hessian.llt().solve(own)) * best.residual / freedom);
 }
 
 /// λ stays between the ends of a path.
@@ -71,9 +104,10 @@ ChainTarget chain_target(const SettledRecords& settled) {
   rows << problem.design(), problem.data();
   const Eigen::MatrixXd fewer = fewer_rows(rows);
   ChainTarget target;
-  target.rows.push_back({.design = fewer.leftCols(problem.size()),
-                         .data = fewer.rightCols(1),
-                         .count = static_cast<double>(problem.rows())});
+  const double alike = settled.settings.alike_rows;
+  target.rows.push_back({.design = fewer.leftCols(problem.size()) / std::sqrt(alike),
+                         .data = fewer.rightCols(1) / std::sqrt(alike),
+                         .count = static_cast<double>(problem.rows()) / alike});
   target.penalty = problem.penalty();
   target.limits = {problem.size(), problem.area()};
   const std::vector<double> ends = problem.lambda_grid(2);
@@ -82,15 +116,16 @@ ChainTarget chain_target(const SettledRecords& settled) {
   return target;
 }
 
-/// Posterior draws of the joint, and K_e of each.
-std::vector<double> draw_all(const SettledRecords& settled, const DrawReader& reader,
-                             const RecordInversionOptions& options, RecordInversionResult& result) {
+/// Draws with one prior until there are so many.
+void draw_of_prior(const SettledRecords& settled, std::size_t end, RandomStream& random,
+                   const RecordInversionOptions& options, std::vector<double>& elastic,
+                   RecordInversionResult& result) {
+  if (result.draws.size() >= end) return;
+  const DrawReader reader(settled.model, *settled.records);
   const ChainTarget target = chain_target(settled);
   PosteriorChain chain(target, {settled.best.solution.x, settled.best.lambda, {1.0}});
-  RandomStream random(options.seed, 0);
   chain.settle(random);
-  std::vector<double> elastic;
-  for (std::size_t i = 0; i < options.draws; ++i) {
+  while (result.draws.size() < end) {
     chain.next(random);
     const QuadraticProgram::Solution drawn = chain.projected(random);
     if (!drawn.optimal() && drawn.kkt_residual >= result.summary.residual) {
@@ -98,14 +133,46 @@ std::vector<double> draw_all(const SettledRecords& settled, const DrawReader& re
     }
     result.draws.push_back(reader.read(drawn.x));
     elastic.push_back(reader.elastic(drawn.x));
-    if (options.progress && !options.progress(i + 1, options.draws)) throw Cancelled();
+    if (options.progress && !options.progress(result.draws.size(), options.draws)) {
+      throw Cancelled();
+    }
   }
+}
+
+/// Any number of the first draws is to stand for all.
+void shuffle_draws(std::uint64_t seed, std::vector<double>& elastic,
+                   std::vector<StiffnessDraw>& draws) {
+  RandomStream random(seed, kOrderStream);
+  for (std::size_t i = draws.size(); i > 1; --i) {
+    const auto other =
+        std::min(i - 1, static_cast<std::size_t>(random.uniform() * static_cast<double>(i)));
+    std::swap(draws[i - 1], draws[other]);
+    std::swap(elastic[i - 1], elastic[other]);
+  }
+}
+
+/// Posterior draws of the joint, with each prior that the data leave possible, and K_e of each.
+std::vector<double> draw_all(const SettledRecords& settled, const RecordInversionOptions& options,
+                             RecordInversionResult& result) {
+  const std::vector<PossiblePrior> priors = possible_priors(settled);
+  std::vector<double> elastic;
+  double share = 0.0;
+  for (std::size_t p = 0; p < priors.size(); ++p) {
+    share += priors[p].weight;
+    const double until = p + 1 < priors.size() ? share : 1.0;
+    const auto end =
+        static_cast<std::size_t>(std::lround(until * static_cast<double>(options.draws)));
+    RandomStream random(options.seed, p);
+    draw_of_prior(priors[p].settled, end, random, options, elastic, result);
+  }
+  if (priors.size() > 1) shuffle_draws(options.seed, elastic, result.draws);
   return elastic;
 }
 
 /// The estimate is the likeliest joint, the bands are those of the draws.
-void read_joint(const StiffnessDraw& best, const RecordInversionOptions& options,
-                RecordInversionResult& result) {
+void read_joint(const SettledRecords& settled, const DrawReader& reader,
+                const RecordInversionOptions& options, RecordInversionResult& result) {
+  const StiffnessDraw best = reader.read(settled.best.solution.x);
   std::vector<double> values(result.draws.size());
   const auto read_draws = [&](const auto& read) {
     std::ranges::transform(result.draws, values.begin(), read);
@@ -118,14 +185,35 @@ void read_joint(const StiffnessDraw& best, const RecordInversionOptions& options
     result.upper.push_back(std::max(upper, best.density[j]));
   }
   read_draws([](const StiffnessDraw& draw) { return draw.stiffness; });
-  result.stiffness = within_band(best.stiffness, values, options.confidence);
+  result.stiffness = within_band(best.stiffness, deviation_of(settled, reader.stiffness_row()),
+                                 values, options.confidence);
   if (!options.viscous) return;
   read_draws([](const StiffnessDraw& draw) { return draw.viscous; });
-  result.viscous = within_band(best.viscous, values, options.confidence);
+  result.viscous = within_band(best.viscous, deviation_of(settled, reader.viscous_row()), values,
+                               options.confidence);
+}
+
+std::vector<std::vector<RecordVerdict>> verdicts_of(const SettledRecords& settled,
+                                                    const ScaledRecords& records) {
+  std::vector<std::vector<RecordVerdict>> verdicts;
+  for (std::size_t r = 0; r < records.records.size(); ++r) {
+    verdicts.push_back(judge_record(settled, records, r));
+  }
+  return verdicts;
+}
+
+/// Whether so much departs from any joint that residuals are no noise.
+bool departs_far(const std::vector<std::vector<RecordVerdict>>& verdicts) {
+  return std::ranges::any_of(verdicts, [](const std::vector<RecordVerdict>& of_record) {
+    return std::ranges::any_of(of_record, [](const RecordVerdict& verdict) {
+      return verdict.broken && verdict.share > kFarDeparture;
+    });
+  });
 }
 
 void read_records(const SettledRecords& settled, const ScaledRecords& records,
-                  const Eigen::VectorXd& x, RecordInversionResult& result) {
+                  const std::vector<std::vector<RecordVerdict>>& verdicts, const Eigen::VectorXd& x,
+                  RecordInversionResult& result) {
   const double force = records.stiffness * records.length;
   for (std::size_t r = 0; r < records.records.size(); ++r) {
     RecordFit fit;
@@ -137,7 +225,7 @@ void read_records(const SettledRecords& settled, const ScaledRecords& records,
     fit.unexplained = left.norm() / (force * settled.model.force_norm(r));
     const Eigen::VectorXd offset = force * settled.model.offsets(r, x);
     fit.offset.assign(offset.begin(), offset.end());
-    fit.verdicts = judge_record(settled, records, r);
+    fit.verdicts = verdicts[r];
     result.records.push_back(std::move(fit));
   }
 }
@@ -245,7 +333,9 @@ void check_records(std::span<const RecordEvidence> evidence,
     }
     check_polarity(one);
     if (options.viscous && one.measured().time_step == 0.0) {
-      throw InputError("time step", 0.0, "must be known to find a viscous part");
+      throw InputError(
+          "time step", 0.0, "must be known to find a viscous part",
+          "Give evenly spaced times: `microslip convert IN OUT --resample` makes them.");
     }
   }
 }
@@ -264,27 +354,34 @@ RecordInversionResult invert_together(const JointEvidence& evidence,
   if (stiffness) check_stiffness(*stiffness);
   check_evidence(evidence, stiffness, options);
   const ScaledRecords records(evidence, stiffness, options.coefficients);
-  const SettledRecords settled = settle_records(records, options.viscous);
+  SettledRecords settled = settle_records(records, options.viscous);
+  const std::vector<std::vector<RecordVerdict>> verdicts = verdicts_of(settled, records);
+  if (departs_far(verdicts)) settled = nearest_in_force(settled);
 
   RecordInversionResult result;
   summarise(evidence, settled.best, result.summary);
   result.summary.timings.push_back(watch.lap("noise and smoothing"));
   result.confidence = options.confidence;
   result.stiffness_known = stiffness.has_value();
-  result.resolved_from = records.length * records.lowest;
+  result.resolved_from = records.length * settled.records->lowest;
   result.reference_exponent = settled.settings.exponent;
   result.slip_displacement.push_back(0.0);
   for (const double s : settled.model.basis().knots()) {
     result.slip_displacement.push_back(records.length * s);
   }
+  if (settled.records->top < 1.0) {
+    result.slip_displacement.push_back(result.slip_displacement.back() * kJustBeyond);
+    result.slip_displacement.push_back(records.length);
+  }
   const Eigen::VectorXd& best = settled.best.solution.x;
-  const DrawReader reader(settled.model, records);
-  std::vector<double> elastic = draw_all(settled, reader, options, result);
-  read_joint(reader.read(best), options, result);
+  const DrawReader reader(settled.model, *settled.records);
+  std::vector<double> elastic = draw_all(settled, options, result);
+  read_joint(settled, reader, options, result);
   result.elastic_stiffness =
-      within_band(reader.elastic(best), std::move(elastic), options.confidence);
+      within_band(reader.elastic(best), deviation_of(settled, reader.elastic_row()),
+                  std::move(elastic), options.confidence);
   result.summary.timings.push_back(watch.lap("draws"));
-  read_records(settled, records, best, result);
+  read_records(settled, records, verdicts, best, result);
   read_levels(settled, evidence, best, stiffness, options, result);
   result.summary.timings.push_back(watch.lap("verdicts"));
   result.summary.wall_seconds = watch.seconds();

@@ -76,7 +76,8 @@ struct LevelFit {
 };
 
 /// Result of invert_records(): the likeliest joint, with bands of the draws: of k, K_e and c the
-/// shortest that contain the requested share, widened to the estimate where they do not contain it.
+/// shortest that contain the requested share, widened to as many standard deviations about the
+/// estimate, those of the coefficients that are not 0.
 struct RecordInversionResult {
   std::vector<double> slip_displacement = {};  ///< knots x*, m; from 0 to the largest half range
   std::vector<double> density = {};            ///< ψ, N/m per m
@@ -119,11 +120,15 @@ void check_records(std::span<const RecordEvidence> evidence,
 ///
 /// Likelihood: rows of path_rows(), each with the scatter that the record shows and correlated as
 /// neighbouring residuals are. Prior: Gaussian on second differences of ψ/x*^χ₀ over x*^P,
-/// within the limits, χ₀ = 0 unless the likelihood strongly favours a power law. The smoothing
+/// within the limits, χ₀ = 0 unless the likelihood strongly favours a power law; draws are of
+/// each χ₀ that the data leave possible. Where nothing slips in the upper part of the range the
+/// density ends there, and where most of it slips in a narrow range its knots are close there, if
+/// the likelihood favours that. The smoothing
 /// and the scale of the scatter are drawn with the density (PosteriorChain); given these, a draw is
 /// one of the Gaussian without limits, brought within them. The estimate is the minimiser at the
 /// likeliest smoothing: the mean of the draws, some of which are far rougher, is further from the
-/// truth.
+/// truth. Where a departure explains more than 5 % of the force, rows are weighed alike: the joint
+/// is then the nearest in force.
 ///
 /// A record does not determine the sliders that slip within its noise: their stiffness is that of a
 /// smoothly continued density, and k depends on it.

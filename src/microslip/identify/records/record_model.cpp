@@ -14,7 +14,7 @@
 namespace microslip {
 namespace {
 
-/// Nothing is sought below this share of the largest half range, nor is the lowest above that.
+/// Nothing is sought below this share of the range of the density, nor is the lowest above that.
 constexpr double kLeastLowest = 5e-3;
 constexpr double kMostLowest = 0.05;
 /// Slip displacements below so many deviations of the path are in its noise.
@@ -29,8 +29,9 @@ ScaledRecords::ScaledRecords(const JointEvidence& evidence, std::optional<double
       coefficients(coefficients_of_density),
       stiffness_known(known.has_value()),
       length(0.0),
-      stiffness(0.0) {
-  double finest = std::numeric_limits<double>::infinity();
+      stiffness(0.0),
+      lowest(0.0) {
+  finest = std::numeric_limits<double>::infinity();
   for (const RecordEvidence& one : records) {
     length = std::max(length, one.rows().reach);
     for (const PathRow& row : one.rows().rows) {
@@ -43,18 +44,50 @@ ScaledRecords::ScaledRecords(const JointEvidence& evidence, std::optional<double
     finest = std::min(finest, one.levels().amplitude.front());
   }
   if (known) stiffness = *known;
-  lowest = std::clamp(finest / length, kLeastLowest, kMostLowest);
+  finest /= length;
+  set_range();
+}
 
-  const InversionBasis basis(lowest, 1.0, 0.0, coefficients);
+// Even knots.
+void ScaledRecords::set_range() {
+  lowest = std::clamp(finest, kLeastLowest * top, kMostLowest * top);
+  places.clear();
+  for (int j = 0; j < coefficients; ++j) places.push_back(j);
+  set_rows();
+}
+
+ScaledRecords ScaledRecords::up_to(double end) const {
+  ScaledRecords other = *this;
+  other.top = end;
+  other.set_range();
+  return other;
+}
+
+ScaledRecords ScaledRecords::with_knots(std::vector<double> at) const {
+  ScaledRecords other = *this;
+  other.places = std::move(at);
+  other.set_rows();
+  return other;
+}
+
+InversionBasis ScaledRecords::basis(double exponent) const {
+  return {lowest, top, exponent, places};
+}
+
+void ScaledRecords::set_rows() {
+  stop.clear();
+  dissipation.clear();
+  softening.clear();
+  const std::vector<double> knots = basis(0.0).knots();
   for (const RecordEvidence& one : records) {
-    stop.push_back(stop_rows(one.rows(), length, basis.knots()));
+    stop.push_back(stop_rows(one.rows(), length, knots));
   }
   for (const LevelEvidence& one : levels) {
     const Eigen::VectorXd amplitude = view_of(one.levels().amplitude) / length;
-    dissipation.push_back(dissipation_rows(amplitude, basis.knots()));
+    dissipation.push_back(dissipation_rows(amplitude, knots));
     softening.push_back(one.levels().secant_stiffness.empty()
                             ? Eigen::MatrixXd(0, dissipation.back().cols())
-                            : softening_rows(amplitude, basis.knots()));
+                            : softening_rows(amplitude, knots));
   }
 }
 
@@ -153,9 +186,13 @@ void RecordModel::centre(const Block& block, Eigen::Ref<Eigen::MatrixXd> columns
 }
 
 // Neighbouring rows have the correlation ρ: the innovation of each, with its deviation of 1.
-void RecordModel::whiten(const Block& block, double scatter, double correlation,
-                         Eigen::Ref<Eigen::MatrixXd> columns) {
-  columns.array().colwise() *= block.count.array().sqrt() / scatter;
+void RecordModel::whiten(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const {
+  const Block& block = blocks_[record];
+  const double correlation = pass_.correlation[record];
+  Eigen::ArrayXd variance =
+      Eigen::ArrayXd::Constant(columns.rows(), pass_.scatter[record] * pass_.scatter[record]);
+  if (!pass_.by_path.empty()) variance += pass_.by_path[record].array().square();
+  columns.array().colwise() *= (block.count.array() / variance).sqrt();
   if (correlation == 0.0) return;
   const double back = 1.0 / std::sqrt(1.0 - correlation * correlation);
   for (std::size_t g = 0; g + 1 < block.group_begin.size(); ++g) {
@@ -201,7 +238,7 @@ void RecordModel::set_problem() {
     Eigen::MatrixXd both(n, columns_ + 1);
     both << blocks_[b].design, blocks_[b].data;
     centre(blocks_[b], both);
-    whiten(blocks_[b], pass_.scatter[b], pass_.correlation[b], both);
+    whiten(b, both);
     design.middleRows(at, n) = both.leftCols(columns_);
     data.segment(at, n) = both.rightCols(1);
     at += n;
@@ -223,7 +260,7 @@ void RecordModel::set_problem() {
 RecordModel::RecordModel(const ScaledRecords& records, const RecordPass& pass)
     : records_(&records),
       pass_(pass),
-      basis_(records.lowest, 1.0, pass.exponent, records.coefficients),
+      basis_(records.basis(pass.exponent)),
       columns_(basis_.size() + (records.stiffness_known ? 0 : 1) + (pass.viscous ? 1 : 0)) {
   add_blocks();
   set_problem();
@@ -275,7 +312,7 @@ Eigen::VectorXd RecordModel::viscous_row() const {
 
 void RecordModel::weight(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const {
   centre(blocks_[record], columns);
-  whiten(blocks_[record], pass_.scatter[record], pass_.correlation[record], columns);
+  whiten(record, columns);
 }
 
 void RecordModel::centre(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const {
@@ -293,6 +330,24 @@ Eigen::VectorXd RecordModel::residual(std::size_t record, const Eigen::VectorXd&
   Eigen::VectorXd left = block.data - block.design * x;
   centre(block, left);
   return left;
+}
+
+// Of the chord to the row before and to the one behind on the same stretch, the steeper: what
+// slips first behind a turn does within a row.
+Eigen::VectorXd RecordModel::slope(std::size_t record, const Eigen::VectorXd& x) const {
+  const std::vector<PathRow>& rows = records_->records[record].rows().rows;
+  const Eigen::VectorXd force = found(record, x);
+  Eigen::VectorXd slopes = Eigen::VectorXd::Zero(force.size());
+  for (Eigen::Index i = 0; i + 1 < force.size(); ++i) {
+    const PathRow& one = rows[static_cast<std::size_t>(i)];
+    const PathRow& next = rows[static_cast<std::size_t>(i) + 1];
+    const double step = (next.displacement - one.displacement) / records_->length;
+    if (next.turns != one.turns || step == 0.0) continue;
+    const double chord = std::max(0.0, (force(i + 1) - force(i)) / step);
+    slopes(i) = std::max(slopes(i), chord);
+    slopes(i + 1) = std::max(slopes(i + 1), chord);
+  }
+  return slopes;
 }
 
 double RecordModel::force_norm(std::size_t record) const {

@@ -25,13 +25,25 @@ struct ScaledRecords {
   /// @param coefficients  of the density.
   ScaledRecords(const JointEvidence& evidence, std::optional<double> known, int coefficients);
 
+  /// The same with a density that ends at another slip displacement. @param end  over X.
+  [[nodiscard]] ScaledRecords up_to(double end) const;
+
+  /// The same with the knots of the density at other places, see InversionBasis.
+  [[nodiscard]] ScaledRecords with_knots(std::vector<double> at) const;
+
+  /// The basis of the density. @param exponent  χ₀ of the prior.
+  [[nodiscard]] InversionBasis basis(double exponent) const;
+
   std::span<const RecordEvidence> records;
   std::span<const LevelEvidence> levels;
   int coefficients;
   bool stiffness_known;
-  double length;     ///< X, m
-  double stiffness;  ///< k₀, N/m: k where it is known
-  double lowest;     ///< smallest scaled slip displacement that the evidence resolves
+  double length;               ///< X, m
+  double stiffness;            ///< k₀, N/m: k where it is known
+  double finest;               ///< scaled slip displacement below which all is noise
+  double top = 1.0;            ///< where the density ends, scaled
+  double lowest;               ///< smallest scaled slip displacement at which it is sought
+  std::vector<double> places;  ///< of the knots among equally spaced ones
 
   // Of p at the knots, which are those of all exponents.
   std::vector<Eigen::MatrixXd> stop;         ///< force of the rows of each record
@@ -40,6 +52,10 @@ struct ScaledRecords {
 
   /// k₀X², J.
   [[nodiscard]] double energy() const { return stiffness * length * length; }
+
+ private:
+  void set_range();
+  void set_rows();
 };
 
 /// Assumptions of a pass on a table of levels.
@@ -54,7 +70,13 @@ struct RecordPass {
   bool viscous = false;
   std::vector<double> scatter;      ///< s of one sample of each record, over k₀X
   std::vector<double> correlation;  ///< of neighbouring rows of each
-  std::vector<LevelPass> levels;    ///< of each table
+  /// Deviation of the force of each row of each record by the noise of the path, over k₀X, for one
+  /// sample: that times the slope of the loop. Empty: none.
+  std::vector<Eigen::VectorXd> by_path;
+  /// Rows of which one is worth as much as of independent ones, where they are weighed as such
+  /// though neighbours are alike; ≥ 1.
+  double alike_rows = 1.0;
+  std::vector<LevelPass> levels;  ///< of each table
 };
 
 /// A linear model of the records with its coefficients, and how to read them.
@@ -107,6 +129,8 @@ class RecordModel {
   [[nodiscard]] Eigen::VectorXd found(std::size_t record, const Eigen::VectorXd& x) const;
   /// Measured minus fitted force of each row of a record, over k₀X; offsets subtracted.
   [[nodiscard]] Eigen::VectorXd residual(std::size_t record, const Eigen::VectorXd& x) const;
+  /// Slope dF/du of the fitted force at each row of a record, over k₀.
+  [[nodiscard]] Eigen::VectorXd slope(std::size_t record, const Eigen::VectorXd& x) const;
   /// Norm of the force of its rows, over k₀X; offsets subtracted.
   [[nodiscard]] double force_norm(std::size_t record) const;
   /// F₀ of each group of a record, over k₀X.
@@ -132,8 +156,7 @@ class RecordModel {
   void add_blocks();
   void set_problem();
   static void centre(const Block& block, Eigen::Ref<Eigen::MatrixXd> columns);
-  static void whiten(const Block& block, double scatter, double correlation,
-                     Eigen::Ref<Eigen::MatrixXd> columns);
+  void whiten(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   const ScaledRecords* records_;
   RecordPass pass_;

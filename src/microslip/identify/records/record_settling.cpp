@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
+
+#include "microslip/base/interpolation.hpp"
 
 namespace microslip {
 namespace {
@@ -15,6 +19,9 @@ constexpr int kNoisePasses = 2;
 /// First guess of the scatter, over the largest force.
 constexpr double kFirstScatter = 1e-2;
 constexpr double kMostCorrelation = 0.95;
+/// Of the residuals at least this share is scatter of the force.
+constexpr double kLeastOwnScatter = 0.1;
+constexpr int kBisections = 40;
 /// No levels are exact to more than this, of D or of the deviations given.
 constexpr double kLeastLevelScatter = 1e-6;
 /// χ₀ that are tried beside 0. The slip below the resolution of a record follows from it, and k
@@ -23,8 +30,24 @@ constexpr std::array kPowers = {-0.25, -0.5, -0.75};
 /// Decrease of −2 ln likelihood: "strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongPower = 6.0;
 
-SettledRecords run_pass(const ScaledRecords& records, const RecordPass& settings) {
-  SettledRecords pass{RecordModel(records, settings), {}, settings};
+/// Knots are moved to where the force slips where −2 ln likelihood falls by this: "very strong",
+/// 10, for each of place, width and height of a population.
+constexpr double kStrongKnots = 30.0;
+/// A density ends where less than this share of the slip forces is beyond, times this factor, if it
+/// then takes less than that of the range.
+constexpr double kNoForce = 1e-4;
+constexpr double kBeyondEnd = 1.3;
+constexpr double kMostOfRange = 0.5;
+/// Share of the knots that stay evenly spread.
+constexpr double kEvenKnots = 0.5;
+constexpr int kMostMoves = 3;
+/// Priors less probable than this beside the likeliest are left out.
+constexpr double kLeastWeight = 0.01;
+
+using RecordsPointer = std::shared_ptr<const ScaledRecords>;
+
+SettledRecords run_pass(const RecordsPointer& records, const RecordPass& settings) {
+  SettledRecords pass{records, RecordModel(*records, settings), {}, settings};
   const SmoothingProblem& problem = pass.model.problem();
   std::vector<SmoothingPoint> path = problem.path(problem.lambda_grid(kPathPoints));
   pass.best = std::move(path[choose(path, SmoothingRule::kReml, problem.most_edf())]);
@@ -68,22 +91,129 @@ void read_level_noise(const SettledRecords& pass, const ScaledRecords& records, 
   }
 }
 
-/// Noise of each record from its residual.
+/// The scatter s of single samples with Σ r²/(s² + a²) = freedom, a by the noise of the path: an
+/// error of u counts as one of the force by the slope of the loop.
+double scatter_beside(const Eigen::VectorXd& left, const Eigen::ArrayXd& of_path, double freedom) {
+  const double all = std::sqrt(std::max(left.squaredNorm(), 1e-24) / freedom);
+  const auto excess = [&](double s) {
+    return (left.array().square() / (of_path + s * s)).sum() - freedom;
+  };
+  double low = kLeastOwnScatter * all;
+  double high = all;
+  if (excess(low) <= 0.0) return low;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = std::sqrt(low * high);
+    (excess(middle) > 0.0 ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Noise of each record from its residual. The smoothing leaves errors of the path that as many
+/// neighbours share as it combined: as many samples of the whole noise know as little.
 void read_noise(const SettledRecords& pass, const ScaledRecords& records, RecordPass& next) {
   for (std::size_t r = 0; r < records.records.size(); ++r) {
     const PathRows& path = records.records[r].rows();
+    const SmoothedPath& smoothed = records.records[r].path();
     Eigen::VectorXd left = pass.model.residual(r, pass.best.solution.x);
     for (Eigen::Index i = 0; i < left.size(); ++i) {
       left(i) *= std::sqrt(static_cast<double>(path.rows[static_cast<std::size_t>(i)].count));
     }
-    const double square = std::max(left.squaredNorm(), 1e-24);
-    const Eigen::Index n = left.size();
-    const double alike = left.head(n - 1).dot(left.tail(n - 1)) / square;
-    const double freedom =
-        std::max(1.0, static_cast<double>(n) - pass.best.edf - static_cast<double>(path.groups));
-    next.scatter[r] = std::sqrt(square / freedom);
+    const Eigen::VectorXd slope = pass.model.slope(r, pass.best.solution.x);
+    const double freedom = std::max(
+        1.0, static_cast<double>(left.size()) - pass.best.edf - static_cast<double>(path.groups));
+    const Eigen::ArrayXd of_path = (slope * (smoothed.left / records.length)).array().square();
+    next.scatter[r] = scatter_beside(left, of_path, freedom);
+    const Eigen::VectorXd unit =
+        (left.array() / (of_path + next.scatter[r] * next.scatter[r]).sqrt()).matrix();
+    const Eigen::Index n = unit.size();
+    const double alike =
+        unit.head(n - 1).dot(unit.tail(n - 1)) / std::max(unit.squaredNorm(), 1e-24);
     next.correlation[r] = std::clamp(alike, 0.0, kMostCorrelation);
+    next.by_path[r] = slope * (smoothed.noise / records.length);
   }
+}
+
+/// Two passes that find the noise.
+void settle_noise(const RecordsPointer& records, RecordPass& settings) {
+  for (int i = 0; i < kNoisePasses; ++i) {
+    const SettledRecords pass = run_pass(records, settings);
+    read_noise(pass, *records, settings);
+    read_level_noise(pass, *records, settings);
+  }
+}
+
+/// −2 ln likelihood of a prior and its solution.
+double score_of(const SettledRecords& settled) {
+  return settled.best.likelihood + (settled.settings.exponent == 0.0 ? 0.0 : kStrongPower);
+}
+
+/// The likeliest exponent for a noise.
+SettledRecords likeliest_power(const RecordsPointer& records, RecordPass settings) {
+  settings.exponent = 0.0;
+  SettledRecords best = run_pass(records, settings);
+  for (const double tried : kPowers) {
+    settings.exponent = tried;
+    SettledRecords other = run_pass(records, settings);
+    if (score_of(other) < score_of(best)) best = std::move(other);
+  }
+  return best;
+}
+
+/// Where a density may end that is 0 from there on but for a negligible force.
+std::optional<double> shorter_end(const SettledRecords& settled) {
+  const std::vector<double>& knots = settled.model.basis().knots();
+  const Eigen::VectorXd density = settled.model.density_matrix() * settled.best.solution.x;
+  std::vector<double> force(knots.size(), 0.0);  // of what slips beyond each knot
+  for (std::size_t j = knots.size() - 1; j > 0; --j) {
+    const auto at = static_cast<Eigen::Index>(j);
+    force[j - 1] = force[j] + 0.5 * (knots[j] - knots[j - 1]) *
+                                  (knots[j - 1] * density(at - 1) + knots[j] * density(at));
+  }
+  std::size_t end = knots.size() - 1;
+  while (end > 0 && force[end - 1] <= kNoForce * force.front()) --end;
+  const double place = kBeyondEnd * knots[end];
+  if (end == 0 || place > kMostOfRange * settled.records->top) return {};
+  return place;
+}
+
+/// Replaces the best by the likeliest with other knots where −2 ln likelihood falls by more than a
+/// price at the same noise; then its noise is found anew. @return whether it did.
+bool take_if_likelier(const RecordsPointer& records, double price, SettledRecords& best) {
+  const SettledRecords other = likeliest_power(records, best.settings);
+  if (score_of(other) + price >= score_of(best)) return false;
+  RecordPass settings = other.settings;
+  settle_noise(records, settings);
+  best = likeliest_power(records, settings);
+  return true;
+}
+
+/// Places of knots of which a part is where the force slips: with shares of ∫s p ds between them as
+/// equal as may be. A population of sliders that is narrow among even knots is wide among these.
+std::vector<double> places_by_force(const SettledRecords& settled) {
+  const std::vector<double>& knots = settled.model.basis().knots();
+  const std::vector<double>& places = settled.records->places;
+  const std::size_t tail = knots.size() - places.size();
+  const Eigen::VectorXd density = settled.model.density_matrix() * settled.best.solution.x;
+  std::vector<double> force{0.0};
+  for (std::size_t j = 1; j < places.size(); ++j) {
+    const double l = knots[tail + j - 1];
+    const double r = knots[tail + j];
+    const auto at = static_cast<Eigen::Index>(tail + j);
+    force.push_back(force.back() + 0.5 * (r - l) * (l * density(at - 1) + r * density(at)));
+  }
+  const double last = places.back();
+  const double whole = std::max(force.back(), std::numeric_limits<double>::min());
+  std::vector<double> share;
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    share.push_back(kEvenKnots * places[j] + (1.0 - kEvenKnots) * last * force[j] / whole);
+  }
+  std::vector<double> moved;
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    moved.push_back(interpolate(share, places, static_cast<double>(j)));
+  }
+  moved.front() = 0.0;
+  moved.back() = last;
+  return moved;
 }
 
 }  // namespace
@@ -97,22 +227,51 @@ SettledRecords settle_records(const ScaledRecords& records, bool viscous) {
   }
   settings.scatter.assign(records.records.size(), kFirstScatter);
   settings.correlation.assign(records.records.size(), 0.0);
-  for (int i = 0; i < kNoisePasses; ++i) {
-    const SettledRecords pass = run_pass(records, settings);
-    read_noise(pass, records, settings);
-    read_level_noise(pass, records, settings);
+  for (const RecordEvidence& record : records.records) {
+    settings.by_path.emplace_back(
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(record.rows().rows.size())));
   }
-  SettledRecords best = run_pass(records, settings);
-  double lowest = best.best.likelihood;
-  for (const double tried : kPowers) {
-    settings.exponent = tried;
-    SettledRecords other = run_pass(records, settings);
-    const double score = other.best.likelihood + kStrongPower;
-    if (score >= lowest) continue;
-    lowest = score;
-    best = std::move(other);
+  const auto whole = std::make_shared<const ScaledRecords>(records);
+  settle_noise(whole, settings);
+  SettledRecords best = likeliest_power(whole, settings);
+  while (const std::optional<double> end = shorter_end(best)) {
+    const auto shorter = std::make_shared<const ScaledRecords>(best.records->up_to(*end));
+    if (!take_if_likelier(shorter, 0.0, best)) break;
+  }
+  for (int i = 0; i < kMostMoves; ++i) {
+    const auto moved =
+        std::make_shared<const ScaledRecords>(best.records->with_knots(places_by_force(best)));
+    if (!take_if_likelier(moved, kStrongKnots, best)) break;
   }
   return best;
+}
+
+SettledRecords nearest_in_force(const SettledRecords& settled) {
+  RecordPass settings = settled.settings;
+  const double most = std::ranges::max(settings.correlation);
+  settings.alike_rows = (1.0 + most) / (1.0 - most);
+  std::ranges::fill(settings.correlation, 0.0);
+  for (Eigen::VectorXd& of_path : settings.by_path) of_path.setZero();
+  return run_pass(settled.records, settings);
+}
+
+std::vector<PossiblePrior> possible_priors(const SettledRecords& settled) {
+  std::vector<PossiblePrior> priors{{settled, 1.0}};
+  RecordPass settings = settled.settings;
+  std::vector<double> exponents{0.0};
+  exponents.insert(exponents.end(), kPowers.begin(), kPowers.end());
+  double sum = 1.0;
+  for (const double exponent : exponents) {
+    if (exponent == settled.settings.exponent) continue;
+    settings.exponent = exponent;
+    SettledRecords other = run_pass(settled.records, settings);
+    const double weight = std::exp(0.5 * (score_of(settled) - score_of(other)));
+    if (weight < kLeastWeight) continue;
+    priors.push_back({std::move(other), weight});
+    sum += weight;
+  }
+  for (PossiblePrior& prior : priors) prior.weight /= sum;
+  return priors;
 }
 
 }  // namespace microslip

@@ -38,6 +38,11 @@ class LoopQuestion {
 
   /// N, at each sample; NaN where the state is not known.
   [[nodiscard]] std::vector<double> force(const LoopJoint& joint) const {
+    if (joint.viscous > 0.0 && record().time_step == 0.0) {
+      throw InputError(
+          "time step", 0.0, "must be known to predict a viscous part",
+          "Give evenly spaced times: `microslip convert IN OUT --resample` makes them.");
+    }
     return found_force(evidence_, joint.joint, joint.viscous);
   }
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "microslip/base/units.hpp"
-#include "microslip/signal/recording/resampling.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
 
 namespace microslip {
@@ -72,8 +71,7 @@ ForceRecord record_among(const Recording& recording, const JointChannels& channe
   ForceRecord record;
   record.force = values_of(recording, force, kForce);
   record.displacement = values_of(recording, displacement, kLength);
-  if (!recording.axis.even()) throw uneven_times(recording);
-  record.time_step = recording.axis.step;
+  record.time_step = recording.axis.even() ? recording.axis.step : 0.0;
   return record;
 }
 
@@ -122,7 +120,8 @@ ForceRecords read_force_records(const std::vector<TestFile>& files, const JointC
     leave_out_other(recordings, channels, warnings.back());
     for (const Recording& recording : recordings) {
       all.records.push_back({recording.source, record_among(recording, channels, recordings),
-                             recording.axis.start, static_cast<double>(warnings.size())});
+                             recording.axis.start, static_cast<double>(warnings.size()),
+                             recording.axis.values});
     }
     all.inputs.push_back({file.path, file.sha256});
   }

@@ -25,15 +25,17 @@ struct JointChannels {
 
 /// Force and displacement of a recording.
 /// @throws InputError  naming recording and channel: missing, not the only one, of another
-///                     quantity, complex, not over time or not evenly spaced in it.
+///                     quantity, complex or not over time. @return of time step 0 where times are
+///                     uneven: friction depends on the order of the samples alone.
 [[nodiscard]] ForceRecord force_record(const Recording& recording, const JointChannels& channels);
 
 /// A record and where it is from.
 struct NamedForceRecord {
-  std::string source;  ///< file, and recording where it holds several
-  ForceRecord record;  ///< as read
-  double start = 0.0;  ///< time of its first sample, s
-  double input = 0.0;  ///< number of its file, from 1
+  std::string source;              ///< file, and recording where it holds several
+  ForceRecord record;              ///< as read
+  double start = 0.0;              ///< time of its first sample, s
+  double input = 0.0;              ///< number of its file, from 1
+  std::vector<double> times = {};  ///< of the samples where they are uneven, s
 };
 
 /// Contents of several files.

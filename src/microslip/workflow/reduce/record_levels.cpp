@@ -21,10 +21,11 @@ namespace microslip {
 namespace {
 
 CyclesOfRecord cycles_of(NamedForceRecord read) {
-  CyclesOfRecord record{read.source, read.start, read.record.time_step, {}};
+  CyclesOfRecord record{read.source, read.start, read.record.time_step, {}, std::move(read.times)};
   of_record(read.source, [&] {
     const RecordEvidence evidence(std::move(read.record), PathStart::kVirgin);
-    check_records({&evidence, 1});
+    // One loop from tip to tip turns once; whether it closes is judged with the cycles.
+    if (evidence.rows().reversals != 1) check_records({&evidence, 1});
     record.found = record_cycles(evidence);
   });
   return record;
@@ -120,7 +121,7 @@ Levels levels_of(const RecordLevels& found) {
 
 std::vector<double> times(const RecordLevels& found, std::size_t RecordCycle::*sample) {
   return column(found, [&](const CyclesOfRecord& record, const RecordCycle& cycle) {
-    return record.start + static_cast<double>(cycle.*sample) * record.time_step;
+    return record.time_of(cycle.*sample);
   });
 }
 

@@ -24,10 +24,16 @@ struct RecordLevelsOptions {
 
 /// The cycles of a record.
 struct CyclesOfRecord {
-  std::string source;      ///< of the record
-  double start = 0.0;      ///< time of its first sample, s
-  double time_step = 0.0;  ///< s
-  RecordCycles found;      ///< record_cycles()
+  std::string source;              ///< of the record
+  double start = 0.0;              ///< time of its first sample, s
+  double time_step = 0.0;          ///< s
+  RecordCycles found;              ///< record_cycles()
+  std::vector<double> times = {};  ///< of the samples where they are uneven, s
+
+  /// Time of a sample, s.
+  [[nodiscard]] double time_of(std::size_t sample) const {
+    return times.empty() ? start + static_cast<double>(sample) * time_step : times[sample];
+  }
 };
 
 /// Result of find_record_levels(): at least one cycle.

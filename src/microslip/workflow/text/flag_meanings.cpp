@@ -8,7 +8,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 53> kMeanings = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 54> kMeanings = {{
     {"amplitude_drift", "no steady state: the amplitude drifts"},
     {"amplitude_rises", "the decay was cut off where its amplitude rises"},
     {"beats", "a second oscillation near the mode changes the damping by more than 2 %"},
@@ -61,6 +61,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 53> kMeaning
     {"off_resonance",
      "the drive frequency differed from the resonance by more than three standard deviations; the "
      "frequency given is that of the resonance"},
+    {"one_loop",
+     "the record is one loop from tip to tip: whether the joint repeats it is not measured"},
     {"order_reduced", "fewer harmonics were fitted than specified"},
     {"other_peaks", "the spectrum has other peaks near the mode"},
     {"phase_unsteady", "no steady state: samples are missing, or the drive drifts"},
