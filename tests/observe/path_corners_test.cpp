@@ -62,6 +62,17 @@ TEST(PathCorners, AreFoundBetweenSamples) {
   }
 }
 
+// Ramps with holds: a window that sees a corner in noise as large as its change of the velocity
+// has the other end of the hold in it.
+TEST(PathCorners, AreFoundBesideOthers) {
+  const std::vector<Vertex> ramps{{0.0, 0.0},    {100.0, 1.0}, {166.7, 1.0}, {366.7, -1.0},
+                                  {433.4, -1.0}, {633.4, 1.0}, {700.1, 1.0}, {900.1, -1.0},
+                                  {966.8, -1.0}, {1066.8, 0.0}};
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    EXPECT_EQ(path_corners(through(ramps, 1e-2, seed)).size(), ramps.size() - 2) << seed;
+  }
+}
+
 // Sines, motions of a band of frequencies, and an earthquake. Those of the reference "sines", whose
 // amplitude changes from one cycle to the next, have corners there.
 TEST(PathCorners, AreNoneOfSmoothPaths) {

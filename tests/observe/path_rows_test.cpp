@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "microslip/base/random.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/observe/record_rows.hpp"
 #include "support/force_records.hpp"
@@ -205,6 +206,21 @@ TEST(PathRows, TurnAtCornersBetweenSamples) {
     ASSERT_NEAR(found[i], rows.rows[i].force, 2e-11) << "row " << i;
   }
   EXPECT_EQ(samples, path.size());
+}
+
+// The largest of 60 errors is 2.3 deviations: k would be too small by as much, over the first of
+// what slips. Their parabola is good to 1.5/√60 of one; three of these.
+TEST(PathRows, TurnAtTheLevelOfANoisyHold) {
+  constexpr double kNoise = 1e-2;
+  RandomStream random(6, 0);
+  std::vector<double> path;
+  for (int i = 0; i < 50; ++i) path.push_back(i / 50.0);
+  for (int i = 0; i < 60; ++i) path.push_back(1.0 + kNoise * random.normal());
+  for (int i = 0; i < 50; ++i) path.push_back(1.0 - i / 50.0);
+  const std::vector<double> force(path.size(), 0.0);
+  const PathRows rows = path_rows(path, force, PathStart::kVirgin, 6.0 * kNoise, 6000);
+  ASSERT_EQ(rows.turns.back().size(), 1U);
+  EXPECT_NEAR(rows.turns.back().front().half_range, 1.0, 3.0 * 1.5 * kNoise / std::sqrt(60.0));
 }
 
 TEST(PathRows, HoldSmallTurnsTogether) {

@@ -5,12 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <optional>
 
 #include "microslip/algebra/cholesky.hpp"
-#include "microslip/base/median.hpp"
+#include "microslip/observe/path_noise.hpp"
 
 namespace microslip {
 namespace {
@@ -31,30 +30,13 @@ constexpr double kSharp = 0.05;
 /// Samples on each side of a corner that its place is found from.
 constexpr std::size_t kFewestBeside = 4;
 constexpr int kSteps = 6;
+/// Windows see one corner each. Those beside it are searched for once more without it; no corners
+/// are nearer to each other than so many samples.
+constexpr int kSearches = 3;
+constexpr double kApart = 5.0;
 constexpr double kLeastReach = 16.0;
 /// Share of its reach over which the part of a corner is not faded.
 constexpr double kNotFaded = 0.25;
-
-/// Standard deviation by the median of differences of an order.
-double by_differences(std::span<const double> path, int order) {
-  std::vector<double> values(path.begin(), path.end());
-  double scale = 1.0;  // √C(2d, d)
-  for (int d = 1; d <= order; ++d) {
-    for (std::size_t i = 0; i + 1 < values.size(); ++i) values[i] = values[i + 1] - values[i];
-    values.pop_back();
-    scale *= std::sqrt(2.0 * (2.0 * d - 1.0) / d);
-  }
-  for (double& value : values) value = std::abs(value);
-  constexpr double kMedianOfNormal = 0.6744897501960817;
-  return median(std::move(values)) / (scale * kMedianOfNormal);
-}
-
-double noise_of(std::span<const double> path) {
-  const auto [low, high] = std::ranges::minmax(path);
-  double noise = std::numeric_limits<double>::infinity();
-  for (const int order : {2, 4, 6}) noise = std::min(noise, by_differences(path, order));
-  return std::max(noise, 64.0 * std::numeric_limits<double>::epsilon() * (high - low));
-}
 
 /// What a corner at the centre of a window explains of its even part, and what a smooth path does.
 class Window {
@@ -124,6 +106,13 @@ class Window {
   std::vector<double> fourth_;
 };
 
+/// Whether no place of sorted ones is so near.
+bool is_free(const std::vector<double>& taken, double at, double apart) {
+  const auto next = std::ranges::lower_bound(taken, at);
+  return (next == taken.end() || *next - at > apart) &&
+         (next == taken.begin() || at - *(next - 1) > apart);
+}
+
 /// Places where a corner is seen, in samples; `taken` has those that were seen in narrower windows.
 void search(std::span<const double> values, double per_value, double variance, const Window& window,
             std::vector<double>& taken) {
@@ -143,10 +132,7 @@ void search(std::span<const double> values, double per_value, double variance, c
     const auto reach = static_cast<std::ptrdiff_t>(half);
     if (std::max_element(here - reach, here + reach + 1) != here) continue;
     const double at = (static_cast<double>(i) + 0.5) * per_value - 0.5;
-    const auto next = std::ranges::lower_bound(taken, at);
-    const bool free = (next == taken.end() || *next - at > apart) &&
-                      (next == taken.begin() || at - *(next - 1) > apart);
-    if (free) seen.push_back(at);
+    if (is_free(taken, at, apart)) seen.push_back(at);
   }
   const auto middle = static_cast<std::ptrdiff_t>(taken.size());
   taken.insert(taken.end(), seen.begin(), seen.end());
@@ -260,6 +246,38 @@ std::optional<PathCorner> refined(std::span<const double> path, double at, std::
   return {};
 }
 
+/// Those of the places where there are corners.
+std::vector<PathCorner> refined_corners(std::span<const double> path,
+                                        const std::vector<double>& seen, double variance) {
+  std::vector<PathCorner> corners;
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const std::size_t first = k == 0 ? 0 : static_cast<std::size_t>(seen[k - 1] + 1.5);
+    const std::size_t last =
+        k + 1 == seen.size() ? path.size() - 1 : static_cast<std::size_t>(seen[k + 1] - 0.5);
+    if (const auto corner = refined(path, seen[k], first, last, variance)) {
+      corners.push_back(*corner);
+    }
+  }
+  return corners;
+}
+
+/// A path less the change of its velocity at each corner: change·t behind it.
+std::vector<double> without(std::span<const double> path, const std::vector<PathCorner>& corners) {
+  std::vector<double> rest(path.begin(), path.end());
+  double slope = 0.0;
+  double offset = 0.0;
+  auto next = corners.begin();
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const auto at = static_cast<double>(i);
+    for (; next != corners.end() && next->at < at; ++next) {
+      slope += next->change;
+      offset -= next->change * next->at;
+    }
+    rest[i] -= offset + slope * at;
+  }
+  return rest;
+}
+
 }  // namespace
 
 double PathCorner::value(double t, double reach) const {
@@ -275,16 +293,21 @@ double PathCorner::value(double t, double reach) const {
 }
 
 std::vector<PathCorner> path_corners(std::span<const double> path) {
-  const double noise = noise_of(path);
-  const std::vector<double> seen = corners_seen(path, noise);
+  const double noise = noise_of_path(path);
+  std::vector<double> seen;
+  std::vector<double> rest(path.begin(), path.end());
   std::vector<PathCorner> corners;
-  for (std::size_t k = 0; k < seen.size(); ++k) {
-    const std::size_t first = k == 0 ? 0 : static_cast<std::size_t>(seen[k - 1] + 1.5);
-    const std::size_t last =
-        k + 1 == seen.size() ? path.size() - 1 : static_cast<std::size_t>(seen[k + 1] - 0.5);
-    if (const auto corner = refined(path, seen[k], first, last, noise * noise)) {
-      corners.push_back(*corner);
+  for (int search = 0; search < kSearches; ++search) {
+    for (const double at : corners_seen(rest, noise)) {
+      if (is_free(seen, at, kApart)) seen.insert(std::ranges::lower_bound(seen, at), at);
     }
+    const std::vector<PathCorner> found = refined_corners(path, seen, noise * noise);
+    if (found.size() <= corners.size()) break;
+    // What is none does not narrow the windows of the others.
+    seen.clear();
+    for (const PathCorner& corner : found) seen.push_back(corner.at);
+    corners = refined_corners(path, seen, noise * noise);
+    rest = without(path, corners);
   }
   return corners;
 }

@@ -19,7 +19,8 @@ struct PathCorner {
 /// Corners of a path with noise, by time. A corner stands out of any smooth path: within a window a
 /// cubic with a corner leaves less than a polynomial with as many coefficients does, by more than
 /// noise would, and nothing but noise or a hundredth of what that leaves. Windows of ±4 samples
-/// and of ±8 means of 1, 2, 4, … samples are searched; the place is found between samples. A
+/// and of ±8 means of 1, 2, 4, … samples are searched, and again without the corners that were
+/// found, which hide others in their windows; the place is found between samples. A
 /// corner that is rounded over more samples than its noise hides is part of the smooth path.
 ///
 /// The noise for these decisions is by the median of differences of order 2, 4 or 6, the smallest,

@@ -18,6 +18,8 @@ constexpr double kShortRow = 0.25;
 constexpr double kFullRowAfter = 8.0;  ///< lengths of a row from the turn
 /// Rows of the largest branch: as many as a density has details.
 constexpr double kRowsOfBranch = 64.0;
+/// Samples that a parabola at a turn needs.
+constexpr std::size_t kFewestOfTurn = 5;
 
 /// Memory of the joint of its path: the reversals that still matter, and where the virgin curve
 /// starts.
@@ -53,7 +55,7 @@ class Walk {
   void turn(double u) {
     if (start_ == PathStart::kUnknown && growing_) {
       origin_ = 0.5 * (low_ + high_);
-      turns_ = {u == high_ ? low_ : high_, u};
+      turns_ = {u > origin_ ? low_ : high_, u};
       growing_ = false;
       ++group_;
       return;
@@ -182,18 +184,50 @@ double tenth_of_ranges(std::span<const double> path, const std::vector<std::size
   return *tenth;
 }
 
-/// A turn of a path, at a sample or beyond it.
+/// A turn of a path, at a sample or beside it.
 struct Turn {
   std::size_t sample;  ///< the last one on the branch that ends
   double value;        ///< of the path, m
 };
 
+/// The extreme of the parabola through the samples about a turn that noise alone may have made it.
+/// The extreme of the samples is beyond that of the path by the largest of their errors, and a hold
+/// has many.
+double smooth_turn(std::span<const double> path, std::size_t sample, double width) {
+  std::size_t from = sample;
+  std::size_t to = sample + 1;
+  while (from > 0 && std::abs(path[from - 1] - path[sample]) <= width) --from;
+  while (to < path.size() && std::abs(path[to] - path[sample]) <= width) ++to;
+  const auto n = static_cast<double>(to - from);
+  if (to - from < kFewestOfTurn) return path[sample];
+  const double half = 0.5 * (n - 1.0);
+  const double mean_square = (n + 1.0) / (3.0 * (n - 1.0));  // of t = −1 to 1 at n places
+  double mean = 0.0;
+  double along = 0.0;
+  double curved = 0.0;
+  double squares = 0.0;  // of t² − its mean
+  for (std::size_t i = from; i < to; ++i) {
+    const double t = static_cast<double>(i - from) / half - 1.0;
+    const double bend = t * t - mean_square;
+    mean += path[i] / n;
+    along += t * (path[i] - path[sample]) / (n * mean_square);
+    curved += bend * (path[i] - path[sample]);
+    squares += bend * bend;
+  }
+  curved /= squares;
+  const double outwards =
+      2.0 * path[sample] - path[from == 0 ? 0 : from - 1] - path[to == path.size() ? to - 1 : to];
+  if (curved * outwards >= 0.0) return mean;
+  const double at = std::clamp(-0.5 * along / curved, -1.0, 1.0);
+  return mean + along * at + curved * (at * at - mean_square);
+}
+
 /// The turn at a sample, sharp where one of the corners is beside it: the mean of the straight
 /// lines through two samples on either side. What is not beyond the sample is no turn of the
 /// corner.
 Turn turn_at(std::span<const double> path, std::size_t sample,
-             const std::vector<PathCorner>& corners) {
-  const Turn at_sample{sample, path[sample]};
+             const std::vector<PathCorner>& corners, double threshold) {
+  const Turn at_sample{sample, smooth_turn(path, sample, threshold)};
   if (sample < 2 || sample + 3 > path.size()) return at_sample;
   const auto place = static_cast<double>(sample);
   const auto corner = std::ranges::lower_bound(corners, place - 1.0, {}, &PathCorner::at);
@@ -253,7 +287,7 @@ PathRows path_rows(std::span<const double> path, std::span<const double> force, 
   for (std::size_t k = 1; k < turns.size(); ++k) {
     const double direction = path[turns[k]] > path[turns[k - 1]] ? 1.0 : -1.0;
     builder.set_length(lengths.of_branch(k - 1));
-    const Turn turn = turn_at(path, turns[k], corners);
+    const Turn turn = turn_at(path, turns[k], corners, threshold);
     for (; next <= turn.sample; ++next) {
       if (walk.move(path[next], direction)) builder.end_stretch();
       if (walk.known()) builder.add(next, direction, walk);

@@ -10,6 +10,7 @@
 #include <unsupported/Eigen/FFT>
 
 #include "microslip/base/median.hpp"
+#include "microslip/observe/path_noise.hpp"
 
 namespace microslip {
 namespace {
@@ -35,17 +36,17 @@ std::size_t quick_length(std::size_t n) {
 }
 
 /// The path less the line through its ends, and beyond them its odd reflection, which fades out:
-/// periodic without a jump.
+/// periodic without a jump. The ends are those without noise: a reflection about a sample keeps its
+/// noise whole, and a virgin joint is without force at the first.
 struct Periodic {
   std::vector<double> values;
   std::size_t first = 0;  ///< of the path in it
-  double start = 0.0;     ///< of the line
-  double slope = 0.0;     ///< per sample
+  double start;           ///< of the line
+  double slope;           ///< per sample
 
-  explicit Periodic(std::span<const double> path) {
+  Periodic(std::span<const double> path, double first_end, double last_end)
+      : start(first_end), slope((last_end - first_end) / static_cast<double>(path.size() - 1)) {
     const std::size_t n = path.size();
-    start = path.front();
-    slope = (path.back() - path.front()) / static_cast<double>(n - 1);
     const std::size_t pad = std::min(n - 1, std::max(kLeastPad, n / 16));
     const std::size_t length = quick_length(n + 2 * pad);
     first = (length - n) / 2;
@@ -114,7 +115,11 @@ SmoothedPath smooth_path(std::span<const double> displacement) {
   result.corners = path_corners(displacement);
   result.displacement.assign(displacement.begin(), displacement.end());
   add_corners(result.corners, -1.0, result.displacement);
-  const Periodic periodic(result.displacement);
+  const std::vector<double> reversed(displacement.rbegin(), displacement.rend());
+  const Periodic periodic(
+      result.displacement,
+      result.displacement.front() + first_without_noise(displacement) - displacement.front(),
+      result.displacement.back() + first_without_noise(reversed) - displacement.back());
   const std::size_t n = periodic.values.size();
   Eigen::FFT<double> fft(Eigen::default_fft_impl<double>(), Eigen::FFT<double>::HalfSpectrum);
   std::vector<std::complex<double>> spectrum;
