@@ -27,7 +27,7 @@ struct DepartureText {
 DepartureText text_of(RecordDeparture departure) {
   switch (departure) {
     case RecordDeparture::kRate:
-      return {"depends on the velocity",
+      return {"follows the velocity",
               "`viscous fit` identifies a viscous part beside the friction; a slower test has less "
               "of it."};
     case RecordDeparture::kAsymmetry:
