@@ -83,4 +83,29 @@ std::vector<double> found_force(const RecordEvidence& evidence, const Joint& joi
   return found;
 }
 
+double rms_of_known(const std::vector<double>& measured, const std::vector<double>& found) {
+  double count = 0.0;
+  double mean = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!std::isfinite(found[i])) continue;
+    count += 1.0;
+    const double before = measured[i] - mean;
+    mean += before / count;
+    square += before * (measured[i] - mean);
+  }
+  return count > 0.0 ? std::sqrt(square / count) : 0.0;
+}
+
+double unexplained_share(const std::vector<double>& measured, const std::vector<double>& found) {
+  double count = 0.0;
+  double square = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!std::isfinite(found[i])) continue;
+    count += 1.0;
+    square += (measured[i] - found[i]) * (measured[i] - found[i]);
+  }
+  return std::sqrt(square / count) / rms_of_known(measured, found);
+}
+
 }  // namespace microslip

@@ -19,4 +19,15 @@ namespace microslip {
 [[nodiscard]] std::vector<double> found_force(const RecordEvidence& evidence, const Joint& joint,
                                               double viscous);
 
+/// Size of a force where another is known, N: rms about its mean. 0 where it is nowhere.
+/// @param measured, found  of each sample; found NaN where it is not known.
+[[nodiscard]] double rms_of_known(const std::vector<double>& measured,
+                                  const std::vector<double>& found);
+
+/// What a found force leaves of a measured one, 1: the rms of their difference over
+/// rms_of_known(). NaN where none is known.
+/// @param measured, found  as of rms_of_known().
+[[nodiscard]] double unexplained_share(const std::vector<double>& measured,
+                                       const std::vector<double>& found);
+
 }  // namespace microslip

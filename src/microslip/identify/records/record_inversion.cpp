@@ -21,6 +21,7 @@
 #include "microslip/identify/records/record_settling.hpp"
 #include "microslip/identify/smoothing/fewer_rows.hpp"
 #include "microslip/identify/smoothing/signed_density.hpp"
+#include "microslip/observe/record_force.hpp"
 
 namespace microslip {
 namespace {
@@ -33,7 +34,7 @@ constexpr std::uint64_t kOrderStream = 64;
 /// it is, and not as residuals of noise would be.
 constexpr double kFarDeparture = 0.05;
 /// Knot behind the end of a density, over it: from there it is 0.
-constexpr double kJustBeyond = 1.0 + 1e-6;
+constexpr double kJustBeyond = 1.0 + 1e-12;
 
 /// Reads coefficients as joints.
 class DrawReader {
@@ -116,6 +117,30 @@ ChainTarget chain_target(const SettledRecords& settled) {
   return target;
 }
 
+/// Continues a draw below the resolution of the records with another exponent, where k is found:
+/// what slips there is in no force but that of the first samples behind a turn.
+/// @param displacement  of the density of a draw, m.
+void continue_below(const SettledRecords& settled, std::span<const double> displacement,
+                    double exponent, StiffnessDraw& draw) {
+  if (settled.records->stiffness_known) return;
+  const double lowest = settled.records->length * settled.records->lowest;
+  const double before = settled.settings.exponent;
+  const auto area_below = [&] {
+    double sum = 0.0;
+    for (std::size_t j = 1; j < displacement.size() && displacement[j - 1] < lowest; ++j) {
+      sum +=
+          0.5 * (displacement[j] - displacement[j - 1]) * (draw.density[j] + draw.density[j - 1]);
+    }
+    return sum;
+  };
+  draw.stiffness -= area_below();
+  for (std::size_t j = 0; displacement[j] < lowest; ++j) {
+    const double share = std::max(displacement[j], displacement[1]) / lowest;
+    draw.density[j] *= std::pow(share, exponent - before);
+  }
+  draw.stiffness += area_below();
+}
+
 /// Draws with one prior until there are so many.
 void draw_of_prior(const SettledRecords& settled, std::size_t end, RandomStream& random,
                    const RecordInversionOptions& options, std::vector<double>& elastic,
@@ -132,6 +157,10 @@ void draw_of_prior(const SettledRecords& settled, std::size_t end, RandomStream&
       read_optimality(drawn, "optimality conditions of a draw", result.summary);
     }
     result.draws.push_back(reader.read(drawn.x));
+    const std::span<const double> exponents = tried_exponents();
+    const double place = random.uniform() * static_cast<double>(exponents.size());
+    continue_below(settled, result.slip_displacement, exponents[static_cast<std::size_t>(place)],
+                   result.draws.back());
     elastic.push_back(reader.elastic(drawn.x));
     if (options.progress && !options.progress(result.draws.size(), options.draws)) {
       throw Cancelled();
@@ -211,6 +240,15 @@ bool departs_far(const std::vector<std::vector<RecordVerdict>>& verdicts) {
   });
 }
 
+/// What the joint leaves of the force of a record where its state is known whatever it was at the
+/// start, as a comparison with another record would find; of all where it is nowhere.
+double unexplained_by(const RecordInversionResult& result, const RecordEvidence& record) {
+  const double viscous = result.viscous ? result.viscous->value : 0.0;
+  const RecordEvidence unknown = record.from(PathStart::kUnknown);
+  const RecordEvidence& judged = unknown.rows().rows.empty() ? record : unknown;
+  return unexplained_share(judged.measured().force, found_force(judged, result.joint(), viscous));
+}
+
 void read_records(const SettledRecords& settled, const ScaledRecords& records,
                   const std::vector<std::vector<RecordVerdict>>& verdicts, const Eigen::VectorXd& x,
                   RecordInversionResult& result) {
@@ -222,7 +260,7 @@ void read_records(const SettledRecords& settled, const ScaledRecords& records,
     fit.correlation = settled.settings.correlation[r];
     const Eigen::VectorXd left = force * settled.model.residual(r, x);
     fit.residual.assign(left.begin(), left.end());
-    fit.unexplained = left.norm() / (force * settled.model.force_norm(r));
+    fit.unexplained = unexplained_by(result, records.records[r]);
     const Eigen::VectorXd offset = force * settled.model.offsets(r, x);
     fit.offset.assign(offset.begin(), offset.end());
     fit.verdicts = verdicts[r];

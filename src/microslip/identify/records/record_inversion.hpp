@@ -59,7 +59,7 @@ struct RecordFit {
   std::vector<double> residual = {};     ///< measured minus fitted force of each row, N
   double scatter = 0.0;                  ///< of the force of one sample, N
   double correlation = 0.0;              ///< of the residuals of neighbouring rows, 1
-  double unexplained = 0.0;              ///< rms of residuals over that of the force, 1
+  double unexplained = 0.0;              ///< unexplained_share() from an unknown state on, 1
   /// Verdicts on each departure that was tested; the largest first. Where kOther is detected, no
   /// other is: the common joint would deviate from each record.
   std::vector<RecordVerdict> verdicts = {};

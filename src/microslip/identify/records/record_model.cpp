@@ -111,11 +111,13 @@ RecordModel::Block RecordModel::block_of(std::size_t index) const {
     block.data(i) = row.force / (records_->stiffness * records_->length);
     block.force(i) = block.data(i);
     block.count(i) = static_cast<double>(row.count);
-    if (i == 0 || row.group != path.rows[static_cast<std::size_t>(i) - 1].group) {
-      block.group_begin.push_back(i);
-    }
+    const bool first = i == 0;
+    const PathRow& before = path.rows[static_cast<std::size_t>(first ? 0 : i - 1)];
+    if (first || row.group != before.group) block.group_begin.push_back(i);
+    if (first || row.turns != before.turns) block.branch_begin.push_back(i);
   }
   block.group_begin.push_back(rows);
+  block.branch_begin.push_back(rows);
   if (records_->stiffness_known) {
     block.design.leftCols(size) -= displacement * basis_.area().transpose();
     block.data -= displacement;
@@ -185,8 +187,26 @@ void RecordModel::centre(const Block& block, Eigen::Ref<Eigen::MatrixXd> columns
   }
 }
 
-// Neighbouring rows have the correlation ρ: the innovation of each, with its deviation of 1.
+// The rows of a branch have 1 + g gᵀ, g by the error of its turn: 1 − (1 − 1/√(1 + g²)) g gᵀ/g²
+// makes that 1.
 void RecordModel::whiten(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const {
+  set_independent(record, columns);
+  if (pass_.by_turn.empty()) return;
+  Eigen::MatrixXd shared = pass_.by_turn[record];
+  set_independent(record, shared);
+  const std::vector<Eigen::Index>& begin = blocks_[record].branch_begin;
+  for (std::size_t b = 0; b + 1 < begin.size(); ++b) {
+    const auto own = shared.col(0).segment(begin[b], begin[b + 1] - begin[b]);
+    const double square = own.squaredNorm();
+    if (square == 0.0) continue;
+    auto rows = columns.middleRows(begin[b], own.size());
+    const Eigen::RowVectorXd along = own.transpose() * rows;
+    rows -= (1.0 - 1.0 / std::sqrt(1.0 + square)) / square * own * along;
+  }
+}
+
+// Neighbouring rows have the correlation ρ: the innovation of each, with its deviation of 1.
+void RecordModel::set_independent(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const {
   const Block& block = blocks_[record];
   const double correlation = pass_.correlation[record];
   Eigen::ArrayXd variance =

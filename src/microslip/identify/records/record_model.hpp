@@ -73,6 +73,9 @@ struct RecordPass {
   /// Deviation of the force of each row of each record by the noise of the path, over k₀X, for one
   /// sample: that times the slope of the loop. Empty: none.
   std::vector<Eigen::VectorXd> by_path;
+  /// That by the error of the turn behind the row, which its whole branch shares, over k₀X: times
+  /// the slope of the loop less that at the end of the branch. Empty: none.
+  std::vector<Eigen::VectorXd> by_turn;
   /// Rows of which one is worth as much as of independent ones, where they are weighed as such
   /// though neighbours are alike; ≥ 1.
   double alike_rows = 1.0;
@@ -143,6 +146,7 @@ class RecordModel {
     Eigen::VectorXd force;                  // as measured
     Eigen::VectorXd count;                  // of samples of each row
     std::vector<Eigen::Index> group_begin;  // and the end of the last
+    std::vector<Eigen::Index> branch_begin;
   };
   struct LevelBlock {
     Eigen::MatrixXd design;  // D, then k_eq: rows × coefficients, neither centred nor weighted
@@ -157,6 +161,7 @@ class RecordModel {
   void set_problem();
   static void centre(const Block& block, Eigen::Ref<Eigen::MatrixXd> columns);
   void whiten(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const;
+  void set_independent(std::size_t record, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   const ScaledRecords* records_;
   RecordPass pass_;

@@ -24,15 +24,15 @@ constexpr double kLeastOwnScatter = 0.1;
 constexpr int kBisections = 40;
 /// No levels are exact to more than this, of D or of the deviations given.
 constexpr double kLeastLevelScatter = 1e-6;
-/// χ₀ that are tried beside 0. The slip below the resolution of a record follows from it, and k
-/// with it: a power law continued to zero has more stiffness there than a density that levels off.
-constexpr std::array kPowers = {-0.25, -0.5, -0.75};
+/// The slip below the resolution of a record follows from χ₀, and k with it: a power law continued
+/// to zero has more stiffness there than a density that levels off.
+constexpr std::array kExponents = {0.0, -0.25, -0.5, -0.75};
 /// Decrease of −2 ln likelihood: "strong" [Kass & Raftery, J. Am. Stat. Assoc. 90 (1995) 773].
 constexpr double kStrongPower = 6.0;
 
-/// Knots are moved to where the force slips where −2 ln likelihood falls by this: "very strong",
-/// 10, for each of place, width and height of a population.
-constexpr double kStrongKnots = 30.0;
+/// Knots that follow the force add place, width and height of a population: each costs ln n of
+/// −2 ln likelihood with n rows [Schwarz, Ann. Stat. 6 (1978) 461].
+constexpr double kAddedByKnots = 3.0;
 /// A density ends where less than this share of the slip forces is beyond, times this factor, if it
 /// then takes less than that of the range.
 constexpr double kNoForce = 1e-4;
@@ -108,6 +108,23 @@ double scatter_beside(const Eigen::VectorXd& left, const Eigen::ArrayXd& of_path
   return high;
 }
 
+/// Deviation of the force of rows by the error of the turn behind them: that moves a branch, and
+/// all behind it by the force at its end. A virgin joint begins at a sample, of which the noise is
+/// in no mean of neighbours.
+Eigen::VectorXd deviation_by_turn(const RecordEvidence& record, const Eigen::VectorXd& slope) {
+  const std::vector<PathRow>& rows = record.rows().rows;
+  Eigen::VectorXd deviation(slope.size());
+  Eigen::Index end = slope.size() - 1;
+  for (Eigen::Index i = end; i >= 0; --i) {
+    const PathRow& row = rows[static_cast<std::size_t>(i)];
+    if (row.turns != rows[static_cast<std::size_t>(end)].turns) end = i;
+    const bool from_start = record.rows().turns[row.turns].empty();
+    deviation(i) =
+        (slope(i) - slope(end)) * (from_start ? record.path().noise : record.path().left);
+  }
+  return deviation;
+}
+
 /// Noise of each record from its residual. The smoothing leaves errors of the path that as many
 /// neighbours share as it combined: as many samples of the whole noise know as little.
 void read_noise(const SettledRecords& pass, const ScaledRecords& records, RecordPass& next) {
@@ -130,6 +147,7 @@ void read_noise(const SettledRecords& pass, const ScaledRecords& records, Record
         unit.head(n - 1).dot(unit.tail(n - 1)) / std::max(unit.squaredNorm(), 1e-24);
     next.correlation[r] = std::clamp(alike, 0.0, kMostCorrelation);
     next.by_path[r] = slope * (smoothed.noise / records.length);
+    next.by_turn[r] = deviation_by_turn(records.records[r], slope) / records.length;
   }
 }
 
@@ -149,9 +167,9 @@ double score_of(const SettledRecords& settled) {
 
 /// The likeliest exponent for a noise.
 SettledRecords likeliest_power(const RecordsPointer& records, RecordPass settings) {
-  settings.exponent = 0.0;
+  settings.exponent = kExponents.front();
   SettledRecords best = run_pass(records, settings);
-  for (const double tried : kPowers) {
+  for (const double tried : std::span(kExponents).subspan(1)) {
     settings.exponent = tried;
     SettledRecords other = run_pass(records, settings);
     if (score_of(other) < score_of(best)) best = std::move(other);
@@ -230,10 +248,12 @@ SettledRecords settle_records(const ScaledRecords& records, bool viscous) {
   for (const RecordEvidence& record : records.records) {
     settings.by_path.emplace_back(
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(record.rows().rows.size())));
+    settings.by_turn.push_back(settings.by_path.back());
   }
   const auto whole = std::make_shared<const ScaledRecords>(records);
   settle_noise(whole, settings);
   SettledRecords best = likeliest_power(whole, settings);
+  const double cost = std::log(static_cast<double>(best.model.problem().rows()));
   while (const std::optional<double> end = shorter_end(best)) {
     const auto shorter = std::make_shared<const ScaledRecords>(best.records->up_to(*end));
     if (!take_if_likelier(shorter, 0.0, best)) break;
@@ -241,7 +261,7 @@ SettledRecords settle_records(const ScaledRecords& records, bool viscous) {
   for (int i = 0; i < kMostMoves; ++i) {
     const auto moved =
         std::make_shared<const ScaledRecords>(best.records->with_knots(places_by_force(best)));
-    if (!take_if_likelier(moved, kStrongKnots, best)) break;
+    if (!take_if_likelier(moved, kAddedByKnots * cost, best)) break;
   }
   return best;
 }
@@ -252,20 +272,21 @@ SettledRecords nearest_in_force(const SettledRecords& settled) {
   settings.alike_rows = (1.0 + most) / (1.0 - most);
   std::ranges::fill(settings.correlation, 0.0);
   for (Eigen::VectorXd& of_path : settings.by_path) of_path.setZero();
+  for (Eigen::VectorXd& of_turn : settings.by_turn) of_turn.setZero();
   return run_pass(settled.records, settings);
 }
+
+std::span<const double> tried_exponents() { return kExponents; }
 
 std::vector<PossiblePrior> possible_priors(const SettledRecords& settled) {
   std::vector<PossiblePrior> priors{{settled, 1.0}};
   RecordPass settings = settled.settings;
-  std::vector<double> exponents{0.0};
-  exponents.insert(exponents.end(), kPowers.begin(), kPowers.end());
   double sum = 1.0;
-  for (const double exponent : exponents) {
+  for (const double exponent : kExponents) {
     if (exponent == settled.settings.exponent) continue;
     settings.exponent = exponent;
     SettledRecords other = run_pass(settled.records, settings);
-    const double weight = std::exp(0.5 * (score_of(settled) - score_of(other)));
+    const double weight = std::exp(0.5 * (settled.best.likelihood - other.best.likelihood));
     if (weight < kLeastWeight) continue;
     priors.push_back({std::move(other), weight});
     sum += weight;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "microslip/identify/records/record_model.hpp"
@@ -44,5 +45,8 @@ struct PossiblePrior {
 /// records, and in how smooth the density is; k depends on both.
 /// @param settled  the likeliest.
 [[nodiscard]] std::vector<PossiblePrior> possible_priors(const SettledRecords& settled);
+
+/// χ₀ that are tried: 0 and powers that rise towards zero.
+[[nodiscard]] std::span<const double> tried_exponents();
 
 }  // namespace microslip

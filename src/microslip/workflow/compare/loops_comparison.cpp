@@ -55,9 +55,8 @@ class LoopQuestion {
     for (const RecordCycle& cycle : cycles_.cycles) {
       prediction.values.push_back(secant_stiffness(joint.joint, cycle.amplitude));
     }
-    const double size = rms_of_measured(force);
-    prediction.values.push_back(rms_of_miss(force) / size);
-    prediction.values.push_back(cycles_.force_noise / size);
+    prediction.values.push_back(unexplained_share(record().force, force));
+    prediction.values.push_back(cycles_.force_noise / rms_of_known(record().force, force));
     return prediction;
   }
 
@@ -73,27 +72,6 @@ class LoopQuestion {
     const double rate = period > 0.0 ? 2.0 * std::numbers::pi / period : 0.0;
     return dissipation(joint.joint, a) + joint.linear_damping * a * a +
            std::numbers::pi * joint.viscous * rate * a * a;
-  }
-
-  [[nodiscard]] double rms_of_miss(const std::vector<double>& force) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < force.size(); ++i) {
-      if (std::isfinite(force[i])) sum += std::pow(record().force[i] - force[i], 2);
-    }
-    return std::sqrt(sum / static_cast<double>(known(force)));
-  }
-
-  /// About their mean, of the samples at which the prediction is known.
-  [[nodiscard]] double rms_of_measured(const std::vector<double>& force) const {
-    double sum = 0.0;
-    double squares = 0.0;
-    for (std::size_t i = 0; i < force.size(); ++i) {
-      if (!std::isfinite(force[i])) continue;
-      sum += record().force[i];
-      squares += std::pow(record().force[i], 2);
-    }
-    const auto count = static_cast<double>(known(force));
-    return std::sqrt(std::max(0.0, squares / count - std::pow(sum / count, 2)));
   }
 
   RecordEvidence evidence_;
