@@ -31,7 +31,8 @@ constexpr std::array kExponents = {0.0, -0.25, -0.5, -0.75};
 constexpr double kStrongPower = 6.0;
 
 /// Knots that follow the force add place, width and height of a population: each costs ln n of
-/// −2 ln likelihood with n rows [Schwarz, Ann. Stat. 6 (1978) 461].
+/// −2 ln likelihood with n rows, and its choice among m knots 2 ln m [Chen & Chen, Biometrika 95
+/// (2008) 759].
 constexpr double kAddedByKnots = 3.0;
 /// A density ends where less than this share of the slip forces is beyond, times this factor, if it
 /// then takes less than that of the range.
@@ -253,7 +254,8 @@ SettledRecords settle_records(const ScaledRecords& records, bool viscous) {
   const auto whole = std::make_shared<const ScaledRecords>(records);
   settle_noise(whole, settings);
   SettledRecords best = likeliest_power(whole, settings);
-  const double cost = std::log(static_cast<double>(best.model.problem().rows()));
+  const double cost = kAddedByKnots * std::log(static_cast<double>(best.model.problem().rows())) +
+                      2.0 * std::log(static_cast<double>(records.coefficients));
   while (const std::optional<double> end = shorter_end(best)) {
     const auto shorter = std::make_shared<const ScaledRecords>(best.records->up_to(*end));
     if (!take_if_likelier(shorter, 0.0, best)) break;
@@ -261,7 +263,7 @@ SettledRecords settle_records(const ScaledRecords& records, bool viscous) {
   for (int i = 0; i < kMostMoves; ++i) {
     const auto moved =
         std::make_shared<const ScaledRecords>(best.records->with_knots(places_by_force(best)));
-    if (!take_if_likelier(moved, kAddedByKnots * cost, best)) break;
+    if (!take_if_likelier(moved, cost, best)) break;
   }
   return best;
 }
