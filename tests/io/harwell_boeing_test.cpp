@@ -110,6 +110,7 @@ TEST(CoordinateList, OfOneTriangleOrBothIsRead) {
   const std::string lower = "1 1 4\n2 1 -1.0e+00\n2 2 5\n\n3 2 -2\n3 3 6\n";
   EXPECT_TRUE(is_coordinate_list(lower));
   EXPECT_FALSE(is_coordinate_list("3 3 5 0\n"));
+  EXPECT_FALSE(is_coordinate_list("%%MatrixMarket matrix coordinate real general\n1 1 1\n1 1 2\n"));
   EXPECT_FALSE(is_coordinate_list("0.5 1 2\n"));
   expect_matrix(parse_coordinate_list(lower, "k.txt"));
   expect_matrix(parse_coordinate_list(lower + "1 2 -1\n2 3 -2\n", "k.txt"));

@@ -59,8 +59,10 @@ TEST(MatrixMarketFault, IsNamedByItsPlace) {
   const auto input_fault = [](const std::string& text) {
     return message_of<InputError>([&] { return parse_matrix_market(text, "k.mtx"); });
   };
-  EXPECT_EQ(format_fault(""),
-            "k.mtx: expected %%MatrixMarket matrix coordinate real symmetric, found ''");
+  EXPECT_EQ(
+      format_fault(""),
+      "k.mtx: expected %%MatrixMarket matrix coordinate real symmetric, found ''. Or lines of "
+      "row, column and value, *MATRIX OUTPUT of Abaqus, Harwell-Boeing, OP4, MATLAB or HDF5.");
   EXPECT_EQ(format_fault("%%MatrixMarket matrix coordinate complex symmetric\n1 1 0\n"),
             "k.mtx:1:1: expected a real or integer matrix, found 'complex'. Mass and stiffness are "
             "real.");

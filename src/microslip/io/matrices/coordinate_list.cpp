@@ -65,6 +65,7 @@ void drop_sizes(MatrixEntries& entries) {
 }  // namespace
 
 bool is_coordinate_list(std::string_view head) {
+  if (head.starts_with("%%")) return false;  // the banner of Matrix Market
   NumberLines lines(head, "");
   if (!next_entry(lines)) return false;
   try {

@@ -141,7 +141,8 @@ SymmetricEntries parse_op4(std::string_view bytes, std::string_view name, const 
     if (is_taken(*header)) taken.push_back(header->name);
     if (wants && !is_taken(*header)) {
       throw InputError(fmt::format("{}: {}", file, header->name), words_of(*header),
-                       "must be real, square and there: of the form 8, identity, nothing is");
+                       header->form == kFormIdentity ? "must have its entries in the file"
+                                                     : "must be real and square");
     }
     const bool first = wants && !chosen;
     if (wants && chosen && !wanted.empty()) {
