@@ -69,7 +69,9 @@ CsvWriter reduction_table(std::span<const ReducedLevel> levels) {
       [](const auto& level) { return level.response_amplitude; });
   add("input_energy", kEnergy, [](const auto& level) { return level.input_energy.value; });
   add("linear_dissipation", kEnergy, [](const auto& level) { return level.linear_dissipation; });
-  add("damping_ratio", kDimensionless, [](const auto& level) { return level.damping_ratio; });
+  const std::vector<double> damping =
+      known_column(levels, [](const auto& level) { return level.damping_ratio; });
+  if (!damping.empty()) writer.add_numbers("damping_ratio", kDimensionless, damping);
   add("force_distortion", kDimensionless, [](const auto& level) { return level.force_distortion; });
   add("reversals", kDimensionless,
       [](const auto& level) { return static_cast<double>(level.reversals); });

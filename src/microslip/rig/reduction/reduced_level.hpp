@@ -37,7 +37,7 @@ struct ReducedLevel {
   /// W_ext by the sum over the samples, J [AR14 (17)]; where an accelerometer is at the exciter.
   std::optional<Measured> input_energy_by_sum = {};
   double linear_dissipation = 0.0;  ///< W_lin, J [AR14 (18), harmonic n counted n times]
-  double damping_ratio = 0.0;       ///< ζ of the structure with the joint, 1
+  double damping_ratio = 0.0;       ///< ζ of the structure with the joint, 1; 0: not known
   std::optional<Measured> secant_stiffness = {};  ///< k_eq, N/m; none where k is not known
   /// Harmonics 2 … H of the force over the first, 1; less what the noise of the channel alone
   /// shows.
