@@ -274,26 +274,6 @@ TEST(TwoJointsFromModalLevels, AreFoundInAStructureThatIsTooStiff) {
   }
 }
 
-// Each mode off by another share, those without levels, too: shapes are then off as well. The
-// offsets are found with the joints; of a mode without levels to what the levels tell of it. The
-// error of a loss is that of the tests beside this.
-TEST(TwoJointsFromModalLevels, AreFoundInAStructureWithEachModeOff) {
-  MICROSLIP_OF_RELEASE_ALONE();
-  TwoJoints test;
-  const std::vector<double> off{0.0085, 0.0035, 0.0075, 0.009, 0.005, 0.012};
-  test.model.structure = with_modal_offsets(test.model.structure, off);
-  const CalibrationResult found = test.calibrated();
-  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
-  EXPECT_LT(found.loss_scatter, 1.3);
-  for (std::size_t joint = 0; joint < 2; ++joint) {
-    EXPECT_LT(test.loss_error(found, joint, 0.1), 0.03) << joint;
-    EXPECT_GE(held(test, found, joint), 0.9) << joint;
-  }
-  for (const std::size_t mode : {0, 1, 2}) {
-    EXPECT_NEAR(found.modes.offset[mode], -off[mode], 4e-4) << mode;
-  }
-}
-
 /// ζ of the structure with the true joints at the levels, by harmonic balance.
 std::vector<double> true_damping(const TwoJoints& test) {
   const JointedStructure& given = test.model.structure;

@@ -23,10 +23,6 @@ constexpr double kLeastReduction = 0.5;
 /// A loss less than so many of its standard deviations above 0 at all levels may as well be none:
 /// the estimate of a zero loss is 2 of them, as it cannot be negative.
 constexpr double kLeastLossRatio = 3.0;
-/// A band of this half width, over the loss, is wide; it counts where the joint has this share of
-/// the loss of all.
-constexpr double kWideBand = 0.1;
-constexpr double kShareThatCounts = 0.1;
 /// Offsets of the frequencies beyond this are more than a model and a test usually differ by.
 constexpr double kLargeOffset = 0.01;
 /// Scatter of losses: relative, and over the given deviations.
@@ -126,42 +122,6 @@ void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warni
                                       "density is {} at best. Measure a mode that exercises it.",
                                       joint.name, percent_text(most))});
     }
-  }
-}
-
-/// Half the width of a band, over the loss.
-double half_width(const Estimate& loss) { return 0.5 * (loss.upper - loss.lower) / loss.value; }
-
-/// A loss in a wide band may be as far off as that, where the joint takes part in the loss of all.
-void warn_of_wide_bands(const CalibrationResult& result, const LevelNames& names,
-                        std::vector<Warning>& warnings) {
-  for (std::size_t j = 0; j < result.joints.size(); ++j) {
-    const CalibratedJoint& joint = result.joints[j];
-    if (known_only_together(result, j)) continue;  // has a warning of its own
-    std::size_t wide = 0;
-    std::size_t counted = 0;
-    std::size_t where = 0;
-    double most = kWideBand;
-    for (std::size_t i = 0; i < result.levels.size(); ++i) {
-      const CalibratedLevel& level = result.levels[i];
-      const Estimate& loss = level.joints[joint.index].dissipation;
-      if (!level.found || !(loss.value > kShareThatCounts * level.dissipation)) continue;
-      ++counted;
-      const double half = half_width(loss);
-      if (!(half > kWideBand)) continue;
-      ++wide;
-      if (half <= most) continue;
-      most = half;
-      where = i;
-    }
-    if (wide == 0) continue;
-    warnings.push_back(
-        {"loss_uncertain",
-         fmt::format("the loss of {} is known to ± {} or worse at {} of the {} levels where it has "
-                     "a tenth of the loss of all: ± {} at {}. Measure more levels, a mode that "
-                     "exercises it more than the others, or its displacement.",
-                     joint.name, percent_text(kWideBand), wide, counted, percent_text(most),
-                     names.of(where))});
   }
 }
 
@@ -335,7 +295,6 @@ std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels
   warn_of_pairs(result, warnings);
   warn_of_groups(result, warnings);
   warn_of_unseen(result, warnings);
-  warn_of_wide_bands(result, named, warnings);
   warn_of_offsets(result, warnings);
   warn_of_frequencies(result, warnings);
   warn_of_scatter(result, named, warnings);

@@ -175,8 +175,7 @@ std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evid
   std::vector<std::vector<double>> losses(draws.unknowns.count());
   if (states.at(level)) {
     const std::vector<LinearLoss> about = losses_about(evidence, draws.unknowns, states, level);
-    Eigen::VectorXd mean = draws.mean();
-    mean.tail(draws.unknowns.mode_count()) = offset_coefficients(draws.unknowns.modes(), states);
+    const Eigen::VectorXd mean = draws.mean();
     for (std::size_t j = 0; j < losses.size(); ++j) {
       // The joint is the mean of the draws; linear damping beside it is added to its band later.
       const std::size_t index = draws.unknowns.index(j);
@@ -540,7 +539,6 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
       draw_all(range.with_others(state), range.least_scatter(), options.draws, options.seed);
   const std::vector<Joint> joints = range.joints(draws.unknowns, draws.mean());
   states.set_joints(joints);
-  if (draws.unknowns.mode_count() > 0) states.correct(draws.unknowns.offsets(draws.mean()));
   std::vector<std::size_t> all(evidence.levels.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::vector<std::size_t> left_out;  // of the fit: their results now are not reliable

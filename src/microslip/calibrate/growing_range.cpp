@@ -62,8 +62,6 @@ constexpr std::size_t kPlacesOfEdges = 8;
 constexpr double kLeastLossScatter = 1e-3;
 /// Factor from the largest amplitude of a joint at the levels found to one far beyond them.
 constexpr double kFarBeyond = 3.0;
-/// Modes are off where their offsets are so many times what a resonance is known to, rms.
-constexpr double kOffAtLeast = 2.0;
 /// The lowest amplitude that a basis is made for, over the largest.
 constexpr double kLeastRange = 1e-4;
 
@@ -74,8 +72,6 @@ Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
     found.segment(now.begin(j), now.of(j).size()) =
         now.of(j).projected(before.of(j), before.part(j, x));
   }
-  found.tail(now.mode_count()) =
-      now.modes().coefficients(before.mode_count() > 0 ? before.offsets(x) : now.modes().start);
   return found;
 }
 
@@ -148,7 +144,7 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
       // Given deviations are not reduced: few levels leave no residual, and an error common to
       // neighbouring ones does not show in it.
       least_{evidence_.loss_std_given ? 1.0 : kLeastLossScatter,
-             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0, 1.0, 1.0},
+             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0, 1.0},
       all_(evidence_.levels.size()),
       exponents_(sought.size(), 0.0),
       edges_(sought.size()) {
@@ -218,7 +214,7 @@ AllUnknowns GrowingRange::unknowns(const Variant& variant) const {
       joints.back() = joints.back().without(empty);
     }
   }
-  return {sought_, std::move(joints), modes_};
+  return {sought_, std::move(joints)};
 }
 
 std::vector<Joint> GrowingRange::joints(const AllUnknowns& unknowns,
@@ -231,18 +227,10 @@ std::vector<Joint> GrowingRange::joints(const AllUnknowns& unknowns,
   return joints;
 }
 
-/// The structure with the offsets of its modes, or with the nearest that one has.
-void GrowingRange::take_offsets(const AllUnknowns& unknowns, Eigen::VectorXd& x) {
-  if (unknowns.mode_count() == 0) return;
-  states_.correct(unknowns.offsets(x));
-  x.tail(unknowns.mode_count()) = offset_coefficients(unknowns.modes(), states_);
-}
-
 /// The levels about given joints; not settled yet.
 CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which,
                                            AllUnknowns unknowns, Eigen::VectorXd x) {
   states_.set_joints(joints(unknowns, x));
-  take_offsets(unknowns, x);
   states_.solve(which);
   LinearisedLevels linear = linearise(evidence_, unknowns, states_, which, x);
   LinearEvidence evidence = in_terms_of(evidence_, unknowns, linear);
@@ -299,7 +287,6 @@ CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
     for (std::size_t j = 0; j < first.count(); ++j) {
       x.segment(first.begin(j), first.of(j).size()) = first.of(j).stuck();
     }
-    x.tail(first.mode_count()) = first.modes().coefficients(first.modes().start);
     return linear_about(which, std::move(first), std::move(x));
   }();
   const NormalEquations equations(state.evidence);
@@ -331,7 +318,7 @@ std::vector<double> GrowingRange::amplitude_shares() const {
   return shares;
 }
 
-CalibratedState GrowingRange::grow(ModesAre modes) {
+CalibratedState GrowingRange::grow() {
   std::vector<double> sorted = amplitude_shares();
   std::ranges::sort(sorted);
   const std::size_t begin = std::min(
@@ -347,7 +334,6 @@ CalibratedState GrowingRange::grow(ModesAre modes) {
     const int passes = state ? kRangePasses : kFirstPasses;
     for (int i = 0; i < passes; ++i) state = pass(which, state ? &*state : nullptr, exponents_);
     if (share >= 1.0) return std::move(*state);
-    if (modes_.count() == 0) correct_modes(modes);
     share = std::min(1.0, kGrowth * share);
   }
 }
@@ -483,7 +469,14 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
     evidence_.fit_stiffness = false;
     evidence_.frequency = FrequencyUse::kChange;
   }
-  CalibratedState state = found_with_likelier_modes();
+  deviations_believed_ = true;
+  CalibratedState state = grow();
+  require_levels(state);
+  require_losses(state);
+  state = steadied(std::move(state));
+  if (!fit_stiffness && correct_modes()) state = steadied(relinearised(state));
+  deviations_believed_ = false;
+  state = choose_exponents(state);
   if (!fit_stiffness) {
     state = converge(with_edges(std::move(state)));
     require_levels(state);
@@ -500,60 +493,28 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   return state;
 }
 
-CalibratedState GrowingRange::found_with_modes(ModesAre modes) {
-  deviations_believed_ = true;
-  CalibratedState state = grow(modes);
-  require_levels(state);
-  require_losses(state);
-  state = steadied(std::move(state));
-  if (modes == ModesAre::kOff) {
-    correct_modes(modes);
-    state = steadied(relinearised(state));
-  }
-  deviations_believed_ = false;
-  return choose_exponents(state);
-}
-
-/// −2 ln of the likelihood, with that of the offsets in their units.
-double GrowingRange::likelihood_with_modes(const CalibratedState& state) const {
-  double sum = state.settled.likelihood;
-  for (const double unit : modes_.unit) sum += unit > 0.0 ? 2.0 * std::log(unit) : 0.0;
-  return sum;
-}
-
-// What joints soften below the least levels and an offset of the modes look alike by the changes of
-// the frequencies: modes are as given where that explains the levels as well.
-CalibratedState GrowingRange::found_with_likelier_modes() {
-  CalibratedState given = found_with_modes(ModesAre::kGiven);
-  if (modes_.count() == 0) return given;
-  const ModeUnknowns modes_given = modes_;
-  const double likelihood = likelihood_with_modes(given);
-  correct_modes(ModesAre::kOff);
-  const bool off = std::ranges::max(modes_.unit) > kOffAtLeast * kFrequencyResolution;
-  modes_ = modes_given;
-  if (!off) return given;
-  const std::vector<double> exponents = exponents_;
-  exponents_.assign(sought_.size(), 0.0);
-  modes_ = {};
-  states_.begin_anew();
-  CalibratedState found = found_with_modes(ModesAre::kOff);
-  if (found.found >= given.found && likelihood_with_modes(found) < likelihood) return found;
-  exponents_ = exponents;
-  modes_ = modes_given;
-  return relinearised(given);
-}
-
-/// Softening is relative to the frequencies of the structure, and the displacements of the joints
-/// to its shapes: where they are off, losses and frequencies of the levels are of no joints
-/// together.
-/// Offsets of the modes are unknowns, too, none or as far off as the levels tell.
-void GrowingRange::correct_modes(ModesAre modes) {
-  if (!options_.correct_modes || options_.fit_stiffness || evidence_.stuck_shapes) return;
-  if (evidence_.frequency != FrequencyUse::kChange) return;
+/// Softening is relative to the frequencies of the structure: where these are off by more than
+/// they are known to, losses and frequencies of the levels are of no joints together.
+/// @return whether they were corrected.
+bool GrowingRange::correct_modes() {
+  if (!options_.correct_modes || evidence_.stuck_shapes) return false;
+  if (evidence_.frequency != FrequencyUse::kChange) return false;
+  const std::vector<LevelOffset> levels = level_offsets(evidence_.levels, states_);
   try {
-    modes_ = mode_unknowns(states_.given(), level_offsets(evidence_.levels, states_));
-    if (modes == ModesAre::kGiven) modes_ = modes_.as_given();
+    const FoundModes modes = found_modes(states_.given(), levels);
+    if (!modes.any()) return false;
+    const std::size_t count = states_.structure().linear().vibrations();
+    std::vector<double> taken(count, 0.0);
+    std::vector<double> of_mode(count, 0.0);
+    for (const LevelOffset& level : levels) {
+      taken[level.mode] += level.offset;
+      of_mode[level.mode] += 1.0;
+    }
+    for (std::size_t m = 0; m < count; ++m) taken[m] /= std::max(1.0, of_mode[m]);
+    states_.correct(modes.offset, std::move(taken));
+    return true;
   } catch (const InputError&) {  // no structure has them: that given is the best there is
+    return false;
   }
 }
 
@@ -739,9 +700,7 @@ std::vector<WeighedState> GrowingRange::with_others(const CalibratedState& found
 
 /// The same joints in the terms of other evidence.
 CalibratedState GrowingRange::relinearised(const CalibratedState& state) {
-  AllUnknowns now = unknowns(found_with(exponents_));
-  Eigen::VectorXd x = projected(now, state.unknowns, state.settled.x);
-  CalibratedState anew = linear_about(all_, std::move(now), std::move(x));
+  CalibratedState anew = linear_about(all_, state.unknowns, state.settled.x);
   anew.settled = settle_from_afar(NormalEquations(anew.evidence), bounds());
   return anew;
 }

@@ -104,14 +104,8 @@ class GrowingRange {
   [[nodiscard]] Variant found_with(const std::vector<double>& exponents) const;
   [[nodiscard]] AllUnknowns unknowns(const Variant& variant) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
-  /// Modes without joints: as given, to what a resonance is known to, or as far off as levels tell.
-  enum class ModesAre { kGiven, kOff };
-  [[nodiscard]] CalibratedState grow(ModesAre modes);
-  [[nodiscard]] CalibratedState found_with_modes(ModesAre modes);
-  [[nodiscard]] CalibratedState found_with_likelier_modes();
-  [[nodiscard]] double likelihood_with_modes(const CalibratedState& state) const;
-  void correct_modes(ModesAre modes);
-  void take_offsets(const AllUnknowns& unknowns, Eigen::VectorXd& x);
+  [[nodiscard]] CalibratedState grow();
+  [[nodiscard]] bool correct_modes();
   [[nodiscard]] CalibratedState tried(const CalibratedState& start,
                                       const std::vector<double>& exponents);
   void take_if_likelier(const CalibratedState& start, const std::vector<double>& exponents,
@@ -149,7 +143,6 @@ class GrowingRange {
   std::vector<double> given_stiffness_;
   std::vector<double> exponents_;
   std::vector<FoundEdges> edges_;
-  ModeUnknowns modes_;
   bool keep_weights_ = false;
   double share_ = 1.0;  // of a step with kept weights
   bool deviations_believed_ = false;

@@ -22,8 +22,6 @@ struct LevelSensitivity {
   Eigen::MatrixXcd amplitude;             ///< the same for a_j, joints × joints
   double frequency_by_response = 0.0;     ///< ∂ω/∂X, X the displacement of the response point
   Eigen::VectorXd amplitude_by_response;  ///< ∂a_j/∂X
-  Eigen::RowVectorXd frequency_by_mode;   ///< ∂ω/∂ln ω_i of each mode without joints
-  Eigen::MatrixXd amplitude_by_mode;      ///< ∂a_j/∂ln ω_i, joints × modes
 };
 
 /// The derivatives, with the change of κ itself with the amplitudes. Higher harmonics are assumed

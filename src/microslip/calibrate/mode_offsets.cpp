@@ -66,32 +66,13 @@ std::pair<double, double> offset_of_others(const std::vector<ToldMode>& told) {
   return {mean, std::sqrt(squares / (n - 1.0) * (1.0 + 1.0 / n))};
 }
 
-}  // namespace
-
+/// Whether a level is of the session of the first level of its mode: other sessions are off that.
 bool of_first_session(const ModalLevels& levels, std::size_t level) {
   const auto first = std::ranges::find(levels.mode, levels.mode[level]) - levels.mode.begin();
   return levels.same_offset(static_cast<std::size_t>(first), level);
 }
 
-ModeUnknowns mode_unknowns(const JointedStructure& structure,
-                           const std::vector<LevelOffset>& levels) {
-  const std::vector<ToldMode> told = told_modes(structure, levels);
-  if (told.empty()) return {};
-  const std::size_t modes = structure.linear().size();
-  ModeUnknowns unknowns{.told = std::vector<bool>(modes, false)};
-  double squares = 0.0;
-  for (const ToldMode& one : told) {
-    const double offset = one.mean.offset / share_of_modes(structure, one.mean);
-    const auto n = static_cast<double>(told.size());
-    unknowns.mean += offset / n;
-    squares += offset * offset / n;
-    unknowns.told[one.mean.mode] = true;
-  }
-  unknowns.unit.assign(modes, std::max(std::sqrt(squares), kFrequencyResolution));
-  std::fill_n(unknowns.unit.rbegin(), structure.linear().static_modes(), 0.0);
-  unknowns.start = found_modes(structure, levels).offset;
-  return unknowns;
-}
+}  // namespace
 
 bool FoundModes::any() const {
   return std::ranges::any_of(offset,
@@ -113,12 +94,6 @@ std::vector<LevelOffset> level_offsets(const ModalLevels& levels, const LevelSta
     all.push_back(std::move(level));
   }
   return all;
-}
-
-Eigen::VectorXd offset_coefficients(const ModeUnknowns& modes, const LevelStates& states) {
-  std::vector<double> present = states.offsets();
-  present.resize(modes.count(), 0.0);
-  return modes.coefficients(present);
 }
 
 FoundModes found_modes(const JointedStructure& structure, const std::vector<LevelOffset>& levels) {

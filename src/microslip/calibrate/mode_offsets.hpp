@@ -6,7 +6,6 @@
 
 #include "microslip/calibrate/calibration_result.hpp"
 #include "microslip/calibrate/level_states.hpp"
-#include "microslip/calibrate/mode_unknowns.hpp"
 #include "microslip/dynamics/structure/jointed_structure.hpp"
 #include "microslip/observe/modal_levels.hpp"
 
@@ -25,21 +24,6 @@ struct LevelOffset {
 /// The levels that were found and have a frequency, of each mode those of its first session.
 [[nodiscard]] std::vector<LevelOffset> level_offsets(const ModalLevels& levels,
                                                      const LevelStates& states);
-
-/// Whether a level is of the session of the first level of its mode: other sessions are off that.
-[[nodiscard]] bool of_first_session(const ModalLevels& levels, std::size_t level);
-
-/// The offsets of the modes as unknowns: with the mean and the rms of those that the vibrations
-/// tell, over the share of their stiffness that is not of joints, but kFrequencyResolution at
-/// least, and beginning with those of found_modes(). None where no vibration tells one.
-/// @param structure, levels  as of found_modes().
-/// @throws InputError  as found_modes().
-[[nodiscard]] ModeUnknowns mode_unknowns(const JointedStructure& structure,
-                                         const std::vector<LevelOffset>& levels);
-
-/// The coefficients of the offsets that the states have.
-[[nodiscard]] Eigen::VectorXd offset_coefficients(const ModeUnknowns& modes,
-                                                  const LevelStates& states);
 
 /// The offsets of the modes without joints with which each measured mode is off as its levels are
 /// on the mean, at the mean stiffness of the joints: see modal_offsets(). Modes of which nine
