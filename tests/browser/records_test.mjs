@@ -62,8 +62,8 @@ assert.deepEqual(titles, ['Slip-force density', 'Force over time', 'Residual ove
   'Secant stiffness', 'Loss factor of the joint']);
 const facts = await page.locator('.facts.prominent').first().textContent();
 assert.match(facts, /stuck stiffness k, 95 % band1\d\d\.\d{1,2} ± \d\.\d+ kN\/m/);
-assert.match(facts, /none of 6/);
-assert.equal(await page.locator('#section-0-summary tbody tr').count(), 6);
+assert.match(facts, /none of 7/);
+assert.equal(await page.locator('#section-0-summary tbody tr').count(), 7);
 assert.equal(await page.locator('#section-0-summary tr.marked').count(), 0);
 // Stiffness, density with its band, and all verdicts without a turn of the wheel.
 await page.evaluate(() => scrollTo(0, 0));

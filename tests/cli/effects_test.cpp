@@ -32,6 +32,7 @@
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
+#include "microslip/observe/sensor_drift.hpp"
 #include "support/effort.hpp"
 #include "support/jointed_records.hpp"
 #include "support/tested_chain.hpp"
@@ -232,6 +233,11 @@ std::string two_records() {
                         record.time_step * static_cast<double>(i), u, 1.1 * u, f, 1.1 * f);
   }
   return text;
+}
+
+/// A displacement whose zero moves by 30 µm in the course of the record.
+std::string drifting_record() {
+  return record_text(without_drift(sample_record(), {.displacement = {-3e-5}}));
 }
 
 /// A structure with two joints, of the stiffness 1.7e5 and 4e5 N/m.
@@ -524,6 +530,7 @@ Files made_inputs() {
   all["record.csv"] = record_text(sample_record());
   all["untimed_record.csv"] = without_first_column(all["record.csv"]);
   all["two_records.csv"] = two_records();
+  all["drifting_record.csv"] = drifting_record();
   all["unitless_record.csv"] = record_text(sample_record(), "time [s],u,f");
   all["cut_record.csv"] = all.at("record.csv").substr(0, all.at("record.csv").rfind(','));
   all["other_record.csv"] = record_text(sample_record(2));

@@ -43,7 +43,7 @@ TEST_F(report_records, ShowsVerdictsForcesAndLoops) {
   box.put("lab/b.csv", record_text(sample_record(2)));
   identify({"lab/a.csv", "lab/b.csv"});
   const std::string html = report();
-  expect_parts(html, {"none of 7", "Is it a Masing joint?", "<h3>Slip-force density</h3>",
+  expect_parts(html, {"none of 8", "Is it a Masing joint?", "<h3>Slip-force density</h3>",
                       "<h3>Force over time</h3>", "<h3>Residual over time</h3>",
                       "<h3>Measured and found loops</h3>", "<h3>Residual over displacement</h3>",
                       "<h3>Dissipation of the joint</h3>", "2: b.csv", "virgin, shown",
@@ -73,7 +73,7 @@ TEST_F(report_records, SaysWhatIsBroken) {
   identify({"lab/a.csv"});
   expect_parts(report(),
                {"It is not a Masing joint under constant normal load",
-                "<code>rate_dependent</code>", "--viscous fit", "<tr class=\"marked\">", "1 of 6"});
+                "<code>rate_dependent</code>", "--viscous fit", "<tr class=\"marked\">", "1 of 7"});
 }
 
 TEST_F(report_records, SaysWhichRecordIsNotThere) {

@@ -61,9 +61,18 @@ IdentifiedJoint of_records() {
   found.elastic = {5e4, 4e4, 6e4};
   found.viscous = {3.0, 2.0, 4.0};
   found.reference_exponent = -0.5;
-  found.records = {
-      {"a.csv", 1.0, "virgin", "shown", 0.1, 0.2, 0.01, {0.5}, {{"other", 1, 2, true}}},
-      {"b.csv", 1.0, "unknown", "given", 0.3, 0.4, 0.02, {0.6, 0.7}, {}}};
+  found.records = {{"a.csv",
+                    1.0,
+                    "virgin",
+                    "shown",
+                    0.1,
+                    0.2,
+                    0.01,
+                    {0.5},
+                    {1e-6, 2e-6},
+                    {3.0},
+                    {{"other", 1, 2, true}}},
+                   {"b.csv", 1.0, "unknown", "given", 0.3, 0.4, 0.02, {0.6, 0.7}, {}, {-1.0}, {}}};
   found.tables = {{0.02, true, {{"dissipation", 0.1, 0.2, false}}}, {1.5, false, {}}};
   return joint;
 }

@@ -107,6 +107,18 @@ def test_levels_and_records_go_together():
     assert [fit.source for fit in both.records] == ["arrays 1", "arrays 2"]
 
 
+def test_a_drift_of_the_displacement_is_taken_off(found):
+    force, u = arrays()
+    drift = 1e-5 * np.linspace(0, 1, len(u))
+    mine = microslip.identify_records(
+        force=force, displacement=u + drift, fs=1000, samples=100, seed=4, drift=True
+    )
+    (fit,) = mine.records
+    assert fit.force_drift.size == 0
+    assert abs(fit.displacement_drift.sum() / 1e-5 - 1) < 0.1
+    assert abs(mine.stiffness.value / found.stiffness.value - 1) < 0.02
+
+
 def test_results_pickle_and_show(found):
     again = pickle.loads(pickle.dumps(found))
     same_density(again.joint, found.joint)

@@ -7,12 +7,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "io/support.hpp"
 #include "microslip/io/output/output_files.hpp"
+#include "microslip/observe/record_force.hpp"
+#include "microslip/observe/sensor_drift.hpp"
 #include "microslip/workflow/identify/records_identification.hpp"
 #include "support/force_records.hpp"
 #include "support/messages.hpp"
@@ -31,15 +34,18 @@ Joint known_joint() {
 class Identified : public ::testing::Test {
  protected:
   Identified() {
-    for (const std::string name : {"a.csv", "b.csv"}) {
-      const std::vector<double> path =
-          testing::random_motion(3000, kReach, name == "a.csv" ? 1 : 2);
-      write(name, testing::simulated_record(known_joint(), path, 5, {}, kStep));
-    }
+    write("a.csv", recorded(1));
+    write("b.csv", recorded(2));
     RecordsIdentification options{.records = {folder.file("a.csv"), folder.file("b.csv")}};
     options.options.draws = 100;
     text = joint_text(options, identify_records(options), "identify");
     file = parse_joint(text, "joint.json");
+  }
+
+  /// A record of the known joint. @param motion  seed of the path.
+  static ForceRecord recorded(std::uint64_t motion) {
+    const std::vector<double> path = testing::random_motion(3000, kReach, motion);
+    return testing::simulated_record(known_joint(), path, 5, {}, kStep);
   }
 
   void write(const std::string& name, const ForceRecord& record) const {
@@ -99,6 +105,29 @@ TEST_F(Identified, LeavesTheResidualThatTheIdentificationHad) {
   // 3000 samples tell their deviation to 1.3 %; four of that.
   EXPECT_NEAR(std::sqrt(square / 3000.0) / scatter, 1.0, 0.06);
   EXPECT_NEAR(path.displacement_noise / (2e-4 * kReach), 1.0, 0.1);
+}
+
+// A displacement that drifts by a tenth of its range: found, in the file, and off the path that is
+// drawn.
+TEST_F(Identified, TakesOffTheDriftThatTheIdentificationTookOff) {
+  const double drift = 0.2 * kReach;
+  const ForceRecord drifting = without_drift(recorded(1), {.displacement = {-drift}});
+  write("d.csv", drifting);
+  RecordsIdentification options;
+  options.records = {folder.file("d.csv")};
+  options.fit_drift = true;
+  options.options.draws = 100;
+  file = parse_joint(joint_text(options, identify_records(options), "identify"), "joint.json");
+  const RecordFound record = identified_joint_of(file, "").by_records->records[0];
+  EXPECT_TRUE(record.force_drift.empty());
+  EXPECT_NEAR(drift_at(record.displacement_drift, 1.0), drift, 0.1 * drift);
+  const ForcePaths found = read({0});
+  ASSERT_EQ(found.paths.size(), 1U);
+  EXPECT_NEAR(unexplained_share(found.paths[0].force, found.paths[0].found) / record.unexplained,
+              1.0, 0.1);
+  EXPECT_NEAR(found.paths[0].displacement.back(),
+              drifting.displacement.back() - drift_at(record.displacement_drift, 1.0),
+              1e-9 * kReach);
 }
 
 TEST_F(Identified, FindsRecordsByTheirContent) {

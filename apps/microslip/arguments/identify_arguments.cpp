@@ -149,6 +149,7 @@ void refuse_options_of_recordings(const IdentifyArguments& options) {
   of_records.refuse("--start", options.start, "auto");
   of_records.refuse("--viscous", options.viscous, "none",
                     "--linear-damping fit identifies a linear damping from one table of levels.");
+  of_records.refuse("--drift", options.drift, "none");
   of_records.refuse("--assume-units", !options.reading.assumed_units.empty());
   of_records.refuse("--allow-truncated", options.reading.allow_truncated);
   of_records.refuse("--rate", options.reading.rate, "");
@@ -291,6 +292,12 @@ void add_record_options(CLI::App& command, IdentifyArguments& options) {
           "Records: fit identifies a viscous force c times velocity in addition to the friction")
       ->check(CLI::IsMember({"none", "fit"}))
       ->capture_default_str();
+  command
+      .add_option("--drift", options.drift,
+                  "Records: fit finds slow drifts of the zeros of both sensors with the joint, and "
+                  "subtracts them")
+      ->check(CLI::IsMember({"none", "fit"}))
+      ->capture_default_str();
   add_recording_arguments(command, options.reading);
 }
 
@@ -351,6 +358,7 @@ RecordsIdentification records_options(const IdentifyArguments& arguments,
     all.stiffness = parse_stiffness(arguments.stiffness);
   all.start = start_of(arguments);
   all.options.viscous = arguments.viscous == "fit";
+  all.fit_drift = arguments.drift == "fit";
   all.options.draws = draws_of_posterior(arguments);
   all.options.seed = seed_of(arguments);
   all.samples_out = arguments.samples_out;

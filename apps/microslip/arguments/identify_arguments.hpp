@@ -45,6 +45,7 @@ struct IdentifyArguments {
   std::string displacement;
   std::string start = "auto";
   std::string viscous = "none";
+  std::string drift = "none";
   RecordingArguments reading;
 };
 

@@ -112,6 +112,7 @@ void add_identify(CLI::App& program, Call& call) {
                 "          --smoothing p=0.99999 --smoothing-unit mm --out joint.json",
                 "microslip identify record.csv --out joint.json",
                 "microslip identify record.csv levels.csv --out joint.json",
+                "microslip identify record.csv --drift fit --out joint.json",
                 "microslip identify campaign.csv --assemblies column --stiffness 1.7e5 \\",
                 "          --out assemblies", "microslip identify record.csv --samples 2000 \\",
                 "          --samples-out joint_samples.h5 --out joint.json",

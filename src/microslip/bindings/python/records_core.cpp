@@ -58,6 +58,7 @@ RecordsIdentification record_options_of(const py::dict& given) {
     all.start = start == "virgin" ? PathStart::kVirgin : PathStart::kUnknown;
   }
   all.options.viscous = given["viscous"].cast<bool>();
+  all.fit_drift = given["drift"].cast<bool>();
   all.options.draws = given["samples"].cast<std::size_t>();
   all.options.seed = given["seed"].cast<std::uint64_t>();
   all.channels = {.force = "force", .displacement = "displacement"};
@@ -70,11 +71,10 @@ std::vector<RecordEvidence> evidence_of(const std::vector<NamedForceRecord>& rec
   std::vector<RecordEvidence> all;
   for (const NamedForceRecord& one : records) {
     of_record(one.source, [&] {
-      const RecordEvidence virgin(one.record, PathStart::kVirgin);
-      done.start.push_back(options.start ? RecordStart{*options.start, false, 0.0}
-                                         : shown_start(virgin));
-      all.push_back(virgin.from(done.start.back().start));
-      check_records({&all.back(), 1}, options.options);
+      ReadyRecord ready = ready_record(one.record, options);
+      all.push_back(std::move(ready.evidence));
+      done.start.push_back(ready.start);
+      done.drift.push_back(std::move(ready.drift));
     });
     done.source.push_back(one.source);
     done.input.push_back(one.input);
@@ -124,6 +124,8 @@ py::list fits_of(const IdentifiedRecords& done) {
     }
     all.append(py::dict("source"_a = done.source[i], "start"_a = std::string(to_string(fit.start)),
                         "start_shown"_a = done.start[i].shown, "offset"_a = array_of(fit.offset),
+                        "displacement_drift"_a = array_of(done.drift[i].drift.displacement),
+                        "force_drift"_a = array_of(done.drift[i].drift.force),
                         "residual"_a = array_of(fit.residual), "scatter"_a = fit.scatter,
                         "correlation"_a = fit.correlation, "unexplained"_a = fit.unexplained,
                         "verdicts"_a = verdicts));

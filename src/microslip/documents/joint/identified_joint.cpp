@@ -129,6 +129,23 @@ constexpr auto kShare = [](auto& row) -> auto& { return row.item.share; };
 constexpr auto kNoise = [](auto& row) -> auto& { return row.item.noise; };
 using VerdictOfPart = OfPart<DepartureFound>;
 
+/// Keys of a drift: of its coefficients, and of the numbers of their records.
+struct DriftKeys {
+  const char* coefficients;
+  const char* records;
+};
+
+void visit_drift(RecordValues& values, std::vector<RecordFound>& records, const DriftKeys& keys,
+                 std::vector<double> RecordFound::*drift) {
+  const bool any = std::ranges::any_of(
+      records, [&](const RecordFound& record) { return !(record.*drift).empty(); });
+  if (!values.has(keys.coefficients, any)) return;
+  visit_items(values, keys.coefficients, records, drift, [&](auto& rows) {
+    values.column(keys.coefficients, rows, &OfPart<double>::item);
+    values.places(keys.records, rows, &OfPart<double>::part, records.size(), "records");
+  });
+}
+
 void visit_each_record(RecordValues& values, std::vector<RecordFound>& records) {
   values.rows("scatter_force_N", records);
   values.column("scatter_force_N", records, &RecordFound::scatter);
@@ -138,6 +155,9 @@ void visit_each_record(RecordValues& values, std::vector<RecordFound>& records) 
     values.column("offset_force_N", rows, &OfPart<double>::item);
     values.places("offset_record", rows, &OfPart<double>::part, records.size(), "records");
   });
+  visit_drift(values, records, {"displacement_drift_m", "displacement_drift_record"},
+              &RecordFound::displacement_drift);
+  visit_drift(values, records, {"force_drift_N", "force_drift_record"}, &RecordFound::force_drift);
   values.column("start", records, &RecordFound::start);
   visit_items(values, "verdict_record", records, &RecordFound::verdicts, [&](auto& rows) {
     values.column("verdict_departure", rows, kDeparture);

@@ -29,12 +29,14 @@ struct RecordFound {
   std::string source = {};  ///< its file, as its call named it
   double input = 0.0;       ///< its file among the inputs of the provenance, from 1; 0: not known
   std::string start = {};   ///< "virgin" or "unknown": the state it begins in
-  std::string start_from = {};                ///< who says so: "shown", "given", "assumed"
-  double scatter = 0.0;                       ///< of the force of one sample, N
-  double correlation = 0.0;                   ///< of neighbouring residuals, 1
-  double unexplained = 0.0;                   ///< rms of residuals over that of the force, 1
-  std::vector<double> offset = {};            ///< F₀ of each group of samples, N
-  std::vector<DepartureFound> verdicts = {};  ///< the weightiest first
+  std::string start_from = {};                  ///< who says so: "shown", "given", "assumed"
+  double scatter = 0.0;                         ///< of the force of one sample, N
+  double correlation = 0.0;                     ///< of neighbouring residuals, 1
+  double unexplained = 0.0;                     ///< rms of residuals over that of the force, 1
+  std::vector<double> offset = {};              ///< F₀ of each group of samples, N
+  std::vector<double> displacement_drift = {};  ///< SensorDrift::displacement subtracted, m
+  std::vector<double> force_drift = {};         ///< SensorDrift::force subtracted, N
+  std::vector<DepartureFound> verdicts = {};    ///< the weightiest first
 };
 
 /// A table of levels that a joint was identified from together with other evidence.

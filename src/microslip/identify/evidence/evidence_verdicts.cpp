@@ -15,6 +15,8 @@ std::string_view to_string(RecordDeparture departure) {
       return "drifts";
     case RecordDeparture::kOffset:
       return "offset_drifts";
+    case RecordDeparture::kDisplacementDrift:
+      return "displacement_drifts";
     case RecordDeparture::kOther:
       return "records_contradict";
     case RecordDeparture::kRange:

@@ -59,6 +59,7 @@ namespace microslip {
 ///   * `dead_zone`       it is missing about zero;
 ///   * `drifts`          it grows or falls over the record;
 ///   * `offset_drifts`   its zero drifts;
+///   * `displacement_drifts`  the zero of the displacement drifts;
 ///   * `not_masing`      branches of different ranges do not follow one curve;
 /// and of each table of levels that is of another joint than all other evidence:
 ///   * `levels_contradict`  D differs, by more than four times the noise and 3 %;

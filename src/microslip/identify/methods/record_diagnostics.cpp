@@ -41,8 +41,14 @@ DepartureText text_of(RecordDeparture departure) {
       return {"grows or falls over the record: wear, temperature or a changing load",
               "Identify its parts separately, or run the joint in first."};
     case RecordDeparture::kOffset:
-      return {"has a drifting zero",
-              "Balance the force sensor, or take a shorter part of the record."};
+      return {
+          "has a drifting zero",
+          "`drift fit` finds the drift with the joint; balance the force sensor, or take a shorter "
+          "part of the record."};
+    case RecordDeparture::kDisplacementDrift:
+      return {"is as of a displacement whose zero drifts",
+              "`drift fit` finds the drift beside the joint; take a shorter part of the record, or "
+              "let the sensor warm up."};
     case RecordDeparture::kOther:
       return {"deviates from the joint of the other records",
               "Compare units, gains and channels of the files, or identify from each separately."};

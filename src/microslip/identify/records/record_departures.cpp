@@ -6,7 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "microslip/algebra/cholesky.hpp"
+#include "microslip/identify/records/drift_rows.hpp"
+#include "microslip/identify/records/joined_columns.hpp"
 #include "microslip/identify/records/steady_turns.hpp"
 
 namespace microslip {
@@ -28,13 +29,18 @@ constexpr double kBesideAnother = 0.25;
 /// A record is of another joint where taking it with others costs it more of its force than this.
 constexpr double kLeastContradiction = 3e-2;
 
+/// Terms of a drift of the displacement, and its size over the largest half range.
+constexpr Index kDriftTerms = 2;
+constexpr double kDriftSize = 0.02;
+
 /// The rows of a record as the departures see them, each of largest absolute value 1.
 struct RowSignals {
   VectorXd force;  // of the joint that was found
   VectorXd velocity;
-  VectorXd time;   // from −1 to 1
-  VectorXd work;   // dissipated by the joint, from −1 to 1
-  VectorXd range;  // of the stretch from the last turn over the largest
+  VectorXd time;                // from −1 to 1
+  VectorXd work;                // dissipated by the joint, from −1 to 1
+  VectorXd range;               // of the stretch from the last turn over the largest
+  MatrixXd displacement_drift;  // of the joint, to a drift of its path
 };
 
 VectorXd normalised(VectorXd values) {
@@ -72,6 +78,7 @@ RowSignals signals_of(const SettledRecords& settled, const RecordEvidence& recor
     all.range(i) = row.last.half_range / record.rows().reach;
   }
   all.velocity = normalised(all.velocity);
+  all.displacement_drift = displacement_drift_rows(settled, r, kDriftTerms, kDriftSize);
   all.time = from_end_to_end(all.time);
   all.work = from_end_to_end(all.work);
   return all;
@@ -106,81 +113,13 @@ MatrixXd columns_of(RecordDeparture departure, const RowSignals& of) {
     case RecordDeparture::kRange:
       columns = of.velocity.array().sign() * of.range.array().square();
       break;
+    case RecordDeparture::kDisplacementDrift:
+      columns = of.displacement_drift;
+      break;
     case RecordDeparture::kOther:  // no column: against_others()
       break;
   }
   return columns;
-}
-
-/// The joint's columns as far as they are free, and those of departures that were found.
-class Joined {
- public:
-  explicit Joined(const SettledRecords& settled) {
-    const SmoothingProblem& problem = settled.model.problem();
-    const QuadraticProgram::Solution& solution = settled.best.solution;
-    const std::vector<Index> free = free_coefficients(solution);
-    design_ = problem.design()(Eigen::all, free);
-    ridge_ = problem.hessian(settled.best.lambda)(free, free) - design_.transpose() * design_;
-    residual_ = problem.data() - problem.design() * solution.x;
-    factor();
-  }
-
-  void add(const MatrixXd& columns) {
-    const Index before = design_.cols();
-    MatrixXd wider(design_.rows(), before + columns.cols());
-    wider << design_, columns;
-    design_ = std::move(wider);
-    MatrixXd ridge = MatrixXd::Zero(design_.cols(), design_.cols());
-    ridge.topLeftCorner(before, before) = ridge_;
-    ridge_ = std::move(ridge);
-    factor();
-  }
-
-  /// The part that columns would explain.
-  struct Explained {
-    VectorXd coefficients;
-    MatrixXd covariance;  // of coefficients, by noise
-    double gain = 0.0;    // of the weighted sum of squares, in those of noise
-  };
-  [[nodiscard]] Explained explain(const MatrixXd& columns) const {
-    const MatrixXd beside = columns - design_ * normal_.solve(design_.transpose() * columns);
-    const MatrixXd gram = beside.transpose() * columns;
-    const Eigen::LDLT<MatrixXd> own(gram);
-    Explained found;
-    const VectorXd score = beside.transpose() * residual_;
-    found.coefficients = own.solve(score);
-    const double explained = found.coefficients.dot(score);
-    const double variance =
-        std::max(left_ - explained, 0.0) / static_cast<double>(residual_.size());
-    found.covariance = variance * own.solve(MatrixXd::Identity(gram.rows(), gram.rows()));
-    found.gain = variance > 0.0 ? explained / variance : 0.0;
-    return found;
-  }
-
- private:
-  void factor() {
-    normal_.compute(design_.transpose() * design_ + ridge_);
-    left_ = (residual_ - design_ * normal_.solve(design_.transpose() * residual_)).squaredNorm();
-  }
-
-  MatrixXd design_;
-  MatrixXd ridge_;
-  VectorXd residual_;
-  Eigen::LDLT<MatrixXd> normal_;  // of them
-  double left_ = 0.0;             // weighted sum of squares, without further columns
-};
-
-/// The columns of one record among the rows of all.
-MatrixXd among_all(const SettledRecords& settled, const ScaledRecords& records, std::size_t record,
-                   MatrixXd columns) {
-  Index first = 0;
-  for (std::size_t r = 0; r < record; ++r) {
-    first += static_cast<Index>(records.records[r].rows().rows.size());
-  }
-  settled.model.weight(record, columns);
-  MatrixXd all = MatrixXd::Zero(settled.model.problem().rows(), columns.cols());
-  all.middleRows(first, columns.rows()) = columns;
-  return all;
 }
 
 struct Judged {
@@ -189,12 +128,12 @@ struct Judged {
   double gain = 0.0;
 };
 
-Judged judge(const SettledRecords& settled, const ScaledRecords& records, std::size_t record,
-             RecordDeparture departure, const RowSignals& signals, const Joined& joined) {
+Judged judge(const SettledRecords& settled, std::size_t record, RecordDeparture departure,
+             const RowSignals& signals, const JoinedColumns& joined) {
   Judged judged;
   MatrixXd columns = columns_of(departure, signals);
-  judged.columns = among_all(settled, records, record, columns);
-  const Joined::Explained explained = joined.explain(judged.columns);
+  judged.columns = columns_among_all(settled, record, columns);
+  const JoinedColumns::Explained explained = joined.explain(judged.columns);
   settled.model.centre(record, columns);
   const double force = settled.model.force_norm(record);
   judged.gain = explained.gain;
@@ -238,7 +177,7 @@ bool changes_over_time(RecordDeparture departure) {
 std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
                                          const ScaledRecords& records, std::size_t record) {
   const RowSignals signals = signals_of(settled, records.records[record], record);
-  Joined joined(settled);
+  JoinedColumns joined(settled);
   std::vector<RecordVerdict> verdicts;
   std::vector<RecordDeparture> open(kRecordDepartures.begin(), kRecordDepartures.end() - 1);
   const std::optional<TurnTrend> trend =
@@ -249,7 +188,7 @@ std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
   while (!open.empty()) {
     std::vector<Judged> judged;
     for (const RecordDeparture departure : open) {
-      judged.push_back(judge(settled, records, record, departure, signals, joined));
+      judged.push_back(judge(settled, record, departure, signals, joined));
       RecordVerdict& verdict = judged.back().verdict;
       verdict.broken =
           verdict.broken && verdict.share > least && !(steady && changes_over_time(departure));

@@ -14,6 +14,7 @@
 #include "microslip/identify/posterior/chi_squared.hpp"
 #include "microslip/identify/posterior/posterior_chain.hpp"
 #include "microslip/identify/posterior/quantiles.hpp"
+#include "microslip/identify/records/draw_reader.hpp"
 #include "microslip/identify/records/level_agreement.hpp"
 #include "microslip/identify/records/record_departures.hpp"
 #include "microslip/identify/records/record_model.hpp"
@@ -33,51 +34,6 @@ constexpr std::uint64_t kOrderStream = 64;
 /// Share of the force that a departure explains from which on the joint is fitted to the force as
 /// it is, and not as residuals of noise would be.
 constexpr double kFarDeparture = 0.05;
-/// Knot behind the end of a density, over it: from there it is 0.
-constexpr double kJustBeyond = 1.0 + 1e-12;
-
-/// Reads coefficients as joints.
-class DrawReader {
- public:
-  DrawReader(const RecordModel& model, const ScaledRecords& records)
-      : records_(records),
-        density_(model.density_matrix() * (records.stiffness / records.length)),
-        area_(records.stiffness * model.area_row()),
-        elastic_(records.stiffness * model.elastic_row()),
-        viscous_(records.stiffness * model.viscous_row()) {}
-
-  [[nodiscard]] StiffnessDraw read(const Eigen::VectorXd& x) const {
-    StiffnessDraw draw;
-    const Eigen::VectorXd psi = density_ * x;
-    draw.density.push_back(psi(0));
-    draw.density.insert(draw.density.end(), psi.begin(), psi.end());
-    if (records_.top < 1.0) draw.density.insert(draw.density.end(), 2, 0.0);
-    draw.stiffness = records_.stiffness_known ? records_.stiffness : (area_ + elastic_).dot(x);
-    draw.viscous = viscous_.dot(x);
-    return draw;
-  }
-
-  [[nodiscard]] double elastic(const Eigen::VectorXd& x) const {
-    return records_.stiffness_known ? records_.stiffness - area_.dot(x) : elastic_.dot(x);
-  }
-
-  /// The rows that give k, K_e and c from coefficients, but for what is known of them.
-  [[nodiscard]] Eigen::VectorXd stiffness_row() const {
-    if (records_.stiffness_known) return Eigen::VectorXd::Zero(area_.size());
-    return area_ + elastic_;
-  }
-  [[nodiscard]] Eigen::VectorXd elastic_row() const {
-    return records_.stiffness_known ? Eigen::VectorXd(-area_) : elastic_;
-  }
-  [[nodiscard]] const Eigen::VectorXd& viscous_row() const { return viscous_; }
-
- private:
-  const ScaledRecords& records_;
-  Eigen::MatrixXd density_;
-  Eigen::VectorXd area_;
-  Eigen::VectorXd elastic_;
-  Eigen::VectorXd viscous_;
-};
 
 /// Where limits or the smoothing act, nearly all draws may lie on one side of the estimate: the
 /// limits that it is at hold in truth to within its own deviation alone.
@@ -324,13 +280,7 @@ void RecordInversionOptions::check() const {
 }
 
 Joint RecordInversionResult::joint() const {
-  const double k = stiffness.value;
-  PiecewiseLinearPart part;
-  for (std::size_t j = 0; j < density.size(); ++j) {
-    part.slip_force.push_back(k * slip_displacement[j]);
-    part.density.push_back(density[j] / (k * k));
-  }
-  return {k, SlipDensity({std::move(part)})};
+  return joint_of_stiffness_density(slip_displacement, density, stiffness.value);
 }
 
 DensityBand RecordInversionResult::density_band() const {
@@ -403,14 +353,7 @@ RecordInversionResult invert_together(const JointEvidence& evidence,
   result.stiffness_known = stiffness.has_value();
   result.resolved_from = records.length * settled.records->lowest;
   result.reference_exponent = settled.settings.exponent;
-  result.slip_displacement.push_back(0.0);
-  for (const double s : settled.model.basis().knots()) {
-    result.slip_displacement.push_back(records.length * s);
-  }
-  if (settled.records->top < 1.0) {
-    result.slip_displacement.push_back(result.slip_displacement.back() * kJustBeyond);
-    result.slip_displacement.push_back(records.length);
-  }
+  result.slip_displacement = slip_displacements(settled);
   const Eigen::VectorXd& best = settled.best.solution.x;
   const DrawReader reader(settled.model, *settled.records);
   std::vector<double> elastic = draw_all(settled, options, result);

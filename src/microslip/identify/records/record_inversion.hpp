@@ -11,6 +11,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/identify/evidence/evidence_verdicts.hpp"
 #include "microslip/identify/evidence/joint_evidence.hpp"
+#include "microslip/identify/records/stiffness_draw.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/observe/level_evidence.hpp"
 #include "microslip/observe/record_evidence.hpp"
@@ -30,13 +31,6 @@ struct RecordInversionOptions {
 
   /// @throws InputError  naming the option that breaks a rule.
   void check() const;
-};
-
-/// A posterior draw of the joint.
-struct StiffnessDraw {
-  std::vector<double> density = {};  ///< ψ at the knots, N/m per m; ≥ 0
-  double stiffness = 0.0;            ///< k = K_e + ∫ψ dx*, N/m
-  double viscous = 0.0;              ///< c, N s/m
 };
 
 /// A number with its uncertainty.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -145,11 +146,28 @@ std::string banded_text(const BandedValue& value, double unit, std::string_view 
                      value.lower / unit, value.upper / unit);
 }
 
+/// Σ c_p: a drift at the last sample.
+double sum(const std::vector<double>& coefficients) {
+  return std::accumulate(coefficients.begin(), coefficients.end(), 0.0);
+}
+
+/// The drifts of both sensors over a record; empty where none was subtracted.
+std::string drift_text(const RecordFound& record) {
+  std::string text;
+  if (!record.displacement_drift.empty()) {
+    text = fmt::format("{:+.3g} µm", sum(record.displacement_drift) / kMicrometre);
+  }
+  if (!record.force_drift.empty()) {
+    text += fmt::format("{}{:+.3g} N", text.empty() ? "" : ", ", sum(record.force_drift));
+  }
+  return text.empty() ? text : text + " from its first sample to its last";
+}
+
 ReportFacts certainty_of_records(const IdentifiedJoint& joint) {
   const FoundByRecords& found = *joint.by_records;
   ReportFacts facts{.title = "Results and uncertainty", .facts = {}};
-  const auto add = [&](const char* name, std::string value) {
-    facts.facts.emplace_back(name, std::move(value));
+  const auto add = [&](std::string name, std::string value) {
+    facts.facts.emplace_back(std::move(name), std::move(value));
   };
   if (found.stiffness) {
     add("stuck stiffness k", banded_text(*found.stiffness, kKilonewtonPerMetre, "kN/m"));
@@ -159,6 +177,10 @@ ReportFacts certainty_of_records(const IdentifiedJoint& joint) {
   }
   add("slipping fraction of k", percent_text(joint.joint.density().total().zeroth));
   if (found.viscous) add("viscous part c", banded_text(*found.viscous, 1.0, "N s/m"));
+  for (std::size_t r = 0; r < found.records.size(); ++r) {
+    const std::string drift = drift_text(found.records[r]);
+    if (!drift.empty()) add(fmt::format("drift subtracted from record {}", r + 1), drift);
+  }
   if (const auto width = typical_half_width(joint)) {
     add("density known to", fmt::format("± {} (median half-width of the {:.0f} % band)",
                                         percent_text(*width), 100.0 * joint.band_confidence));

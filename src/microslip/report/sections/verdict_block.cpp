@@ -23,12 +23,13 @@ void add_once(std::vector<std::string>& all, const std::string& text) {
 }  // namespace
 
 std::string departure_text(const std::string& code) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kTexts = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kTexts = {{
       {"rate_dependent", "rate: force follows velocity"},
       {"asymmetric", "asymmetry: sides differ"},
       {"dead_zone", "dead zone: no force about 0"},
       {"drifts", "drift: force grows or falls"},
       {"offset_drifts", "offset: zero moves"},
+      {"displacement_drifts", "displacement: zero moves"},
       {"not_masing", "not Masing: branches differ"},
       {"records_contradict", "not the other records' joint"},
       {"order_matters", "order: rising and falling levels differ"},

@@ -34,6 +34,7 @@ NamedValues record_of_options(const RecordsIdentification& options) {
   record.emplace_back("start",
                       std::string(options.start ? to_string(*options.start) : "as it shows"));
   record.emplace_back("viscous", options.options.viscous ? "fit" : "none");
+  if (options.fit_drift) record.emplace_back("drift", "fit");
   record.emplace_back("samples", static_cast<double>(options.options.draws));
   record.emplace_back("assume_units", list_of_texts(options.assumed_units));
   record.emplace_back("allow_truncated", options.reading.allow_truncated ? "yes" : "no");
@@ -70,6 +71,8 @@ void set_sources(const RecordsIdentification& options, const IdentifiedRecords& 
     records[r].start_from = origin_of(done.start[r], options);
     records[r].source = done.source[r];
     records[r].input = done.input[r];
+    records[r].displacement_drift = done.drift[r].drift.displacement;
+    records[r].force_drift = done.drift[r].drift.force;
   }
 }
 
@@ -81,9 +84,23 @@ std::string describe_start(const RecordStart& start) {
   return start.shown ? "virgin, detected from its first samples" : "virgin, not verified";
 }
 
+/// "+2.98e-06 m (σ 2e-08)", "none found".
+std::string describe_drift(const std::vector<double>& drift, double deviation,
+                           std::string_view unit) {
+  if (drift.empty()) return "none found";
+  return fmt::format("{:+.3g} {} (σ {:.1g})", drift_at(drift, 1.0), unit, deviation);
+}
+
+std::string describe_drift(const DriftFit& fit) {
+  return line("", "drift subtracted, first to last sample:") +
+         line("", "  displacement " +
+                      describe_drift(fit.drift.displacement, fit.displacement_std, "m")) +
+         line("", "  force " + describe_drift(fit.drift.force, fit.force_std, "N"));
+}
+
 std::string describe_record(const std::string& source, const RecordStart& start,
-                            const RecordFit& fit) {
-  return line("record", shortened(source, 56)) + line("", describe_start(start)) +
+                            const std::string& drift, const RecordFit& fit) {
+  return line("record", shortened(source, 56)) + line("", describe_start(start)) + drift +
          line("", fmt::format("force scatters by {:.2g} N per sample; {} of it unexplained",
                               fit.scatter, percent_text(fit.unexplained)));
 }
@@ -103,6 +120,7 @@ struct Gathered {
   std::vector<std::string> source;
   std::vector<double> input;
   std::vector<RecordStart> start;
+  std::vector<DriftFit> drift;
   std::vector<LevelEvidence> levels;
   std::vector<std::string> tables;
   std::vector<std::size_t> counts;
@@ -113,12 +131,12 @@ struct Gathered {
 void gather_records(const RecordsIdentification& options, Gathered& all) {
   check_distinct_files(options.records);
   ForceRecords read = read_force_records(options.records, options.channels, options.reading);
-  for (NamedForceRecord& one : read.records) {
+  for (const NamedForceRecord& one : read.records) {
     of_record(one.source, [&] {
-      const RecordEvidence virgin(std::move(one.record), PathStart::kVirgin);
-      all.start.push_back(start_of(virgin, options));
-      all.records.push_back(virgin.from(all.start.back().start));
-      check_records({&all.records.back(), 1}, options.options);
+      ReadyRecord ready = ready_record(one.record, options);
+      all.records.push_back(std::move(ready.evidence));
+      all.start.push_back(ready.start);
+      all.drift.push_back(std::move(ready.drift));
     });
     all.source.push_back(one.source);
     all.input.push_back(one.input);
@@ -152,6 +170,29 @@ RecordedReading recorded_reading(const NamedValues& options) {
                       .assumed_units = parse_assumed_units(texts_in(options, "assume_units"))}};
 }
 
+ReadyRecord ready_record(const ForceRecord& record, const RecordsIdentification& options) {
+  const auto begun = [&](const ForceRecord& of) {
+    const RecordEvidence virgin(of, PathStart::kVirgin);
+    const RecordStart start = start_of(virgin, options);
+    ReadyRecord ready{virgin.from(start.start), start};
+    check_records({&ready.evidence, 1}, options.options);
+    return ready;
+  };
+  if (!options.fit_drift) return begun(record);
+  const auto fitted = [&](PathStart start) {
+    const RecordEvidence evidence(record, start);
+    DriftFit drift = fit_drift(evidence, options.stiffness, options.options);
+    ReadyRecord without = begun(without_drift(record, drift.drift));
+    without.drift = std::move(drift);
+    return without;
+  };
+  // A drift hides the state at the first sample: without it the record shows it.
+  const PathStart tried = options.start.value_or(PathStart::kVirgin);
+  ReadyRecord ready = fitted(tried);
+  if (ready.start.start != tried) ready = fitted(ready.start.start);
+  return ready;
+}
+
 IdentifiedRecords identify_records(const RecordsIdentification& options) {
   Gathered all;
   gather_records(options, all);
@@ -162,6 +203,8 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
                          .tables = all.tables,
                          .levels = std::move(all.counts),
                          .start = std::move(all.start),
+                         .drift = std::move(all.drift),
+                         .drift_sought = options.fit_drift,
                          .inputs = std::move(all.inputs),
                          .found = identify({all.records, all.levels, all.source, all.tables},
                                            options.stiffness, options.options)};
@@ -191,7 +234,9 @@ std::string describe_identified_records(const IdentifiedRecords& done) {
   std::string text = describe_identification(done.found, done.source.size() + done.tables.size());
   std::string records;
   for (std::size_t r = 0; r < done.source.size(); ++r) {
-    records += describe_record(done.source[r], done.start[r], done.found.records()->records[r]);
+    records += describe_record(done.source[r], done.start[r],
+                               done.drift_sought ? describe_drift(done.drift[r]) : std::string(),
+                               done.found.records()->records[r]);
   }
   for (std::size_t t = 0; t < done.tables.size(); ++t) {
     records += describe_table(done.tables[t], done.levels[t], done.found.records()->levels[t]);

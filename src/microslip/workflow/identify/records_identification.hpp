@@ -9,6 +9,7 @@
 
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/identify/methods/identification.hpp"
+#include "microslip/identify/records/drift_fit.hpp"
 #include "microslip/identify/records/record_start.hpp"
 #include "microslip/io/config/named_values.hpp"
 #include "microslip/io/recordings/recordings.hpp"
@@ -28,6 +29,7 @@ struct RecordsIdentification {
   JointChannels channels = {};            ///< of each of them
   std::optional<double> stiffness = {};   ///< k of the stuck joint, N/m; found without it
   std::optional<PathStart> start = {};    ///< of each of them; by what it shows without it
+  bool fit_drift = false;                 ///< whether drifts of their sensors are sought
   RecordInversionOptions options = {};    ///< of the method
   RecordingReadOptions reading = {};      ///< of the recordings
   bool use_inner_reversals = false;       ///< of the levels, as LevelTableOptions
@@ -37,6 +39,20 @@ struct RecordsIdentification {
   std::string samples_out = {};  ///< file that the draws go to; empty for none
 };
 
+/// A record as evidence of a joint: with the state that it begins in, and without the drift of its
+/// sensors where that is sought.
+struct ReadyRecord {
+  RecordEvidence evidence;  ///< without the drift
+  RecordStart start = {};   ///< detected where not given
+  DriftFit drift = {};      ///< that was subtracted
+};
+
+/// @param record   as measured.
+/// @param options  of the identification.
+/// @throws InputError  as check_records().
+[[nodiscard]] ReadyRecord ready_record(const ForceRecord& record,
+                                       const RecordsIdentification& options);
+
 /// Result of identify_records(). Vectors of records have one entry each, in the order of
 /// `found.records()`.
 struct IdentifiedRecords {
@@ -45,6 +61,8 @@ struct IdentifiedRecords {
   std::vector<std::string> tables = {};  ///< of each table of levels: its file
   std::vector<std::size_t> levels = {};  ///< of each: how many were used
   std::vector<RecordStart> start = {};   ///< of each record; detected where not given
+  std::vector<DriftFit> drift = {};      ///< of each record; subtracted
+  bool drift_sought = false;             ///< whether drifts were sought
   std::vector<InputHash> inputs = {};    ///< the files
   Identification found;                  ///< with warnings of the files, too
 };

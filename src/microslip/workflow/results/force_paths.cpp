@@ -13,6 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/open/recording_file.hpp"
 #include "microslip/observe/record_force.hpp"
+#include "microslip/observe/sensor_drift.hpp"
 #include "microslip/workflow/identify/records_identification.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
 
@@ -107,7 +108,8 @@ class ForcePathReader {
 
   void add(std::size_t number, const Recording& recording, const RecordFound& found) {
     const ForceRecord record =
-        force_record(recording, recorded_reading(file_.provenance->options).channels);
+        without_drift(force_record(recording, recorded_reading(file_.provenance->options).channels),
+                      {.displacement = found.displacement_drift, .force = found.force_drift});
     const bool virgin = found.start == to_string(PathStart::kVirgin);
     const RecordEvidence evidence(record, virgin ? PathStart::kVirgin : PathStart::kUnknown);
     ForcePath path{.record = number,

@@ -52,6 +52,9 @@ class RecordFit:
         Whether the first samples show that state.
     offset : ndarray
         F0 of each group of rows, N.
+    displacement_drift, force_drift : ndarray
+        Drift that was subtracted with ``drift=True``, m and N: coefficients of t/T, (t/T)^2, ... with
+        the time t from the first sample and the length T of the record. Empty where none was found.
     residual : ndarray
         Measured minus fitted force of each row, N.
     scatter : float
@@ -68,6 +71,8 @@ class RecordFit:
     start: str
     start_shown: bool
     offset: RealArray
+    displacement_drift: RealArray
+    force_drift: RealArray
     residual: RealArray
     scatter: float
     correlation: float
@@ -174,6 +179,7 @@ def identify_records(
     levels: Union[None, Levels, Sequence[Levels]] = None,
     stiffness: Optional[float] = None,
     viscous: bool = False,
+    drift: bool = False,
     start: str = "auto",
     samples: int = 1000,
     seed: int = 1,
@@ -200,6 +206,8 @@ def identify_records(
         k of the stuck joint, N/m; identified by default.
     viscous : bool
         Whether to identify a viscous part in addition to the friction.
+    drift : bool
+        Whether to find slow drifts of the zeros of both sensors with the joint and subtract them.
     start : {"auto", "virgin", "unknown"}
         Initial state of the records; detected with ``"auto"``.
     samples : int
@@ -247,6 +255,7 @@ def identify_records(
     options = {
         "stiffness": None if stiffness is None else positive(stiffness, "stiffness"),
         "viscous": flag(viscous, "viscous"),
+        "drift": flag(drift, "drift"),
         "start": one_of(start, "start", ("auto", "virgin", "unknown")),
         "samples": whole(samples, "samples", 100, 1_000_000),
         "seed": whole(seed, "seed", 0, 2**64 - 1),
