@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
+
+#include "microslip/io/bytes/text_pieces.hpp"
 
 namespace microslip::text_test {
 namespace {
@@ -67,6 +70,25 @@ TEST(Text, ShowsWhatIsFoundAtAnOffset) {
 TEST(Text, TrimsBlanksAndTabs) {
   EXPECT_EQ(trimmed(" \ta b\t "), "a b");
   EXPECT_EQ(trimmed(" \t "), "");
+}
+
+TEST(TextPieces, AreLinesCellsAndWholeNumbers) {
+  std::string_view rest = "a\r\n\nb";
+  EXPECT_EQ(take_line(rest), "a\r");
+  EXPECT_EQ(take_line(rest), "");
+  EXPECT_EQ(rest, "b");
+  EXPECT_EQ(take_dos_line(rest), "b");
+  EXPECT_EQ(take_line(rest), "");
+  rest = "a\r\nb";
+  EXPECT_EQ(take_dos_line(rest), "a");
+  using Cells = std::vector<std::string_view>;
+  EXPECT_EQ(comma_cells(" a, b\t,,"), (Cells{"a", "b", "", ""}));
+  EXPECT_EQ(comma_cells(""), Cells{""});
+  EXPECT_EQ(whole_integer("-12"), -12);
+  for (const char* text : {"", " 1", "+1", "1 ", "1.0", "9223372036854775808"}) {
+    EXPECT_FALSE(whole_integer(text)) << text;
+  }
+  EXPECT_EQ(whole_number<double>("1.5e3"), 1500.0);
 }
 
 }  // namespace

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/documents/levels/listed_units.hpp"
 
-#include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 
 namespace microslip {
 
 std::vector<std::string> listed_units(std::string_view text) {
-  std::vector<std::string> units;
-  for (;;) {
-    const std::size_t end = text.find(',');
-    units.emplace_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) break;
-    text.remove_prefix(end + 1);
-  }
+  const std::vector<std::string_view> cells = comma_cells(text);
+  std::vector<std::string> units(cells.begin(), cells.end());
   if (units.back().empty()) units.pop_back();
   return units;
 }

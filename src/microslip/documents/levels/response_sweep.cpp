@@ -18,6 +18,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/documents/levels/listed_units.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/mat/mat_value.hpp"
 
 namespace microslip {
@@ -93,14 +94,6 @@ std::vector<double> magnitudes(const std::vector<Complex>& values) {
 }
 
 // ---- Universal files. ----
-
-/// The line at the front, which is removed.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return trimmed(line.substr(0, line.find('\r')));
-}
 
 /// The only channel that fits.
 const Channel& only_channel(const Recording& recording, std::string_view what,
@@ -182,10 +175,10 @@ bool is_over_frequency(std::string_view head) {
   constexpr std::size_t kLinesBefore = 7;  // of a dataset 58, above that of its abscissa
   std::string_view above;
   while (!head.empty()) {
-    const std::string_view line = take_line(head);
+    const std::string_view line = trimmed(take_dos_line(head));
     if (above == "-1" && (line == "58" || line.starts_with("58b "))) {
       for (std::size_t i = 0; i < kLinesBefore; ++i) (void)take_line(head);
-      return take_line(head).starts_with("18 ");
+      return trimmed(take_dos_line(head)).starts_with("18 ");
     }
     above = line;
   }

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 
 namespace microslip {
 namespace {
@@ -20,9 +21,7 @@ constexpr std::string_view kBlanks = " \t\r";
 
 bool NumberLines::next() {
   while (!rest_.empty()) {
-    const std::size_t end = rest_.find('\n');
-    line_ = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    line_ = take_line(rest_);
     ++number_;
     at_ = 0;
     field_ = 0;
@@ -46,10 +45,9 @@ void NumberLines::fail(std::string_view expected, std::string_view found) const 
 
 std::int64_t NumberLines::integer(std::string_view what) {
   const std::string_view text = field();
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) fail(what, text);
-  return value;
+  const std::optional<std::int64_t> value = whole_integer(text);
+  if (!value) fail(what, text);
+  return *value;
 }
 
 std::int32_t NumberLines::index(std::string_view what, std::size_t size) {

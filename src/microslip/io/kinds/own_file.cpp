@@ -10,6 +10,7 @@
 #include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 
 namespace microslip {
@@ -44,14 +45,11 @@ bool has_heading(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   constexpr std::string_view kHeading = "# microslip ";
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line =
-        text.substr(0, end - (text.substr(0, end).ends_with('\r') ? 1 : 0));
+    const std::string_view line = take_dos_line(text);
     if (!trimmed(line).empty() && line.front() != '#') return false;
     const bool is_heading = line.starts_with(kHeading) && line.size() > kHeading.size() &&
                             line[kHeading.size()] >= '0' && line[kHeading.size()] <= '9';
     if (is_heading) return true;
-    text.remove_prefix(std::min(end + 1, text.size()));
   }
   return false;
 }

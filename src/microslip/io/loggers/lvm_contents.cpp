@@ -10,6 +10,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/cells/csv_cells.hpp"
 
 namespace microslip {
@@ -35,10 +36,7 @@ class LvmLines {
   bool next() {
     if (std::exchange(again_, false)) return true;
     if (rest_.empty()) return false;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    std::string_view line = take_dos_line(rest_);
     ++number_;
     cells_.clear();
     for (;;) {

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/matrices/degree_entries.hpp"
 #include "microslip/io/matrices/symmetric_entries.hpp"
 #include "microslip/io/uff/uff_fields.hpp"
@@ -44,18 +43,11 @@ std::optional<std::array<AbaqusCell, kAbaqusCells>> abaqus_cells(std::string_vie
   return cells;
 }
 
-std::optional<std::int64_t> abaqus_integer(std::string_view text) {
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 bool is_entry(std::string_view line) {
   const auto cells = abaqus_cells(line);
   if (!cells) return false;
   for (std::size_t i = 0; i + 1 < kAbaqusCells; ++i) {
-    if (!abaqus_integer((*cells)[i].text)) return false;
+    if (!whole_integer((*cells)[i].text)) return false;
   }
   return uff_number(cells->back().text).has_value();
 }
@@ -71,11 +63,8 @@ class AbaqusLines {
 
   bool next() {
     while (!rest_.empty()) {
-      const std::size_t end = rest_.find('\n');
-      line_ = rest_.substr(0, end);
-      rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+      line_ = take_dos_line(rest_);
       ++number_;
-      if (line_.ends_with('\r')) line_.remove_suffix(1);
       if (!trimmed(line_).empty() && !line_.starts_with("**")) return true;
     }
     return false;
@@ -135,10 +124,10 @@ class AbaqusMatrix {
   }
 
   [[nodiscard]] DegreeOfFreedom degree(const AbaqusCell& node, const AbaqusCell& direction) const {
-    const std::optional<std::int64_t> number = abaqus_integer(node.text);
+    const std::optional<std::int64_t> number = whole_integer(node.text);
     if (!number)
       throw FormatError(place(node.column), "the number of a node", in_quotes(node.text));
-    const std::optional<std::int64_t> freedom = abaqus_integer(direction.text);
+    const std::optional<std::int64_t> freedom = whole_integer(direction.text);
     if (!freedom || *freedom < 1 || *freedom > static_cast<std::int64_t>(kNodalDirections)) {
       throw FormatError(place(direction.column), "a degree of freedom from 1 to 6",
                         in_quotes(direction.text),

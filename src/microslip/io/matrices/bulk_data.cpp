@@ -2,11 +2,10 @@
 #include "microslip/io/matrices/bulk_data.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 
 namespace microslip {
 namespace {
@@ -35,19 +34,11 @@ std::string with_exponent(std::string_view text) {
   return plus == std::string::npos ? number : number.erase(plus + 1, 1);
 }
 
-template <typename Number>
-bool parsed(std::string_view text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return !text.empty() && error == std::errc() && end == text.data() + text.size();
-}
-
 }  // namespace
 
 bool BulkData::next_line() {
   while (!rest_.empty()) {
-    const std::size_t end = rest_.find('\n');
-    line_ = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    line_ = take_line(rest_);
     ++number_;
     line_ = line_.substr(0, line_.find('$'));
     if (line_.find_first_not_of(" \t\r") != std::string_view::npos) return true;
@@ -112,17 +103,14 @@ TextPlace BulkData::place(const Field& field) const {
 
 std::int64_t BulkData::integer(std::size_t i, std::string_view what) const {
   const Field found = field(i);
-  std::int64_t value = 0;
-  if (parsed(found.text, value)) return value;
+  if (const auto value = whole_integer(found.text)) return *value;
   throw FormatError(place(found), what, found.text.empty() ? "nothing" : in_quotes(found.text));
 }
 
 double BulkData::number(std::size_t i, std::string_view what) const {
   const Field found = field(i);
-  double value = 0.0;
-  if (parsed(std::string_view(with_exponent(found.text)), value) && std::isfinite(value)) {
-    return value;
-  }
+  const auto value = whole_number<double>(with_exponent(found.text));
+  if (value && std::isfinite(*value)) return *value;
   throw FormatError(place(found), what, found.text.empty() ? "nothing" : in_quotes(found.text));
 }
 

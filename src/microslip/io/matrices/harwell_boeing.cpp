@@ -5,18 +5,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/matrices/symmetric_entries.hpp"
 #include "microslip/io/uff/uff_fields.hpp"
 
@@ -28,16 +27,9 @@ constexpr std::size_t kFormatWidth = 16;
 constexpr std::size_t kValueFormatWidth = 20;
 constexpr std::size_t kLongestField = 64;
 
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  text = trimmed(text);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
+/// The columns [begin, begin + width) without blanks around.
 std::string_view part(std::string_view line, std::size_t begin, std::size_t width) {
-  return begin < line.size() ? line.substr(begin, width) : std::string_view();
+  return begin < line.size() ? trimmed(line.substr(begin, width)) : std::string_view();
 }
 
 /// Fields of one width, `count` a line: (10I8), (1P,5E16.8), (3(1PE25.16)).
@@ -50,7 +42,7 @@ struct FieldForm {
 std::size_t repetitions(std::string_view text, std::size_t end) {
   std::size_t begin = end;
   while (begin > 0 && text[begin - 1] >= '0' && text[begin - 1] <= '9') --begin;
-  const auto value = whole_number(text.substr(begin, end - begin));
+  const auto value = whole_integer(text.substr(begin, end - begin));
   return value ? static_cast<std::size_t>(*value) : 1;
 }
 
@@ -68,7 +60,7 @@ std::optional<FieldForm> field_form(std::string_view format, std::string_view le
   std::size_t begin = letter + 1;
   if (begin < text.size() && (text[begin] == 'S' || text[begin] == 'N')) ++begin;  // ES20.12
   const std::size_t end = std::min(text.find_first_not_of("0123456789", begin), text.size());
-  const auto width = whole_number(text.substr(begin, end - begin));
+  const auto width = whole_integer(text.substr(begin, end - begin));
   const bool fits = width && *width > 0 && *width <= static_cast<std::int64_t>(kLongestField) &&
                     form.count > 0 && form.count <= kLongestField;
   if (!fits) return std::nullopt;
@@ -85,11 +77,7 @@ class FixedLines {
   std::string_view next(std::string_view what) {
     ++number_;
     if (rest_.empty()) throw FormatError(place(0), what, "the end of the file");
-    const std::size_t end = rest_.find('\n');
-    std::string_view line = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
+    return take_dos_line(rest_);
   }
 
   /// The place of a byte of the line taken last.
@@ -142,7 +130,7 @@ void for_each_field(FixedLines& lines, std::size_t count, const FieldForm& form,
     for (const PlacedField& field : fields_of(line, std::min(form.count, count - done), form)) {
       if (!take(field.text)) {
         throw FormatError(lines.place(field.begin), what,
-                          trimmed(field.text).empty() ? "nothing" : in_quotes(field.text));
+                          field.text.empty() ? "nothing" : in_quotes(field.text));
       }
       ++done;
     }
@@ -174,24 +162,23 @@ void check_type(const std::string& type, const TextPlace& place) {
 std::size_t count_of(const FixedLines& lines, std::string_view line, std::size_t field,
                      std::string_view what) {
   const std::string_view text = part(line, field * kCountWidth, kCountWidth);
-  const auto value = whole_number(text);
+  const auto value = whole_integer(text);
   if (value && *value >= 0) return static_cast<std::size_t>(*value);
-  throw FormatError(lines.place(field * kCountWidth), what, in_quotes(trimmed(text)));
+  throw FormatError(lines.place(field * kCountWidth), what, in_quotes(text));
 }
 
 FieldForm form_of(const FixedLines& lines, std::string_view line, std::size_t begin,
                   std::size_t width, std::string_view letters) {
   const std::string_view text = part(line, begin, width);
   if (const auto form = field_form(text, letters)) return *form;
-  throw FormatError(lines.place(begin), "a format of Fortran, (16I5) or (5E16.8)",
-                    in_quotes(trimmed(text)));
+  throw FormatError(lines.place(begin), "a format of Fortran, (16I5) or (5E16.8)", in_quotes(text));
 }
 
 HarwellBoeingHeader read_header_of(FixedLines& lines) {
   HarwellBoeingHeader header;
   (void)lines.next("a title");
   const std::string_view cards = lines.next("the numbers of lines");
-  const auto right_sides = whole_number(part(cards, 4 * kCountWidth, kCountWidth));
+  const auto right_sides = whole_integer(part(cards, 4 * kCountWidth, kCountWidth));
   header.has_right_sides = right_sides.value_or(0) > 0;
   const std::string_view sizes = lines.next("the type of the matrix and its size");
   header.type = in_capitals(sizes.substr(0, 3));
@@ -215,7 +202,7 @@ HarwellBoeingHeader read_header_of(FixedLines& lines) {
 std::vector<std::size_t> read_pointers(FixedLines& lines, const HarwellBoeingHeader& header) {
   std::vector<std::size_t> pointers;
   const auto take = [&](std::string_view field) {
-    const auto value = whole_number(field);
+    const auto value = whole_integer(field);
     const std::size_t least = pointers.empty() ? 1 : pointers.back() + 1;
     const std::size_t most = pointers.empty() ? 1 : header.entries + 1;
     if (!value || *value < static_cast<std::int64_t>(least)) return false;
@@ -236,7 +223,7 @@ MatrixEntries read_columns(FixedLines& lines, const HarwellBoeingHeader& header)
   const auto rows = static_cast<std::int64_t>(header.rows);
   for_each_field(lines, header.entries, header.indices, fmt::format("rows from 1 to {}", rows),
                  [&](std::string_view field) {
-                   const auto value = whole_number(field);
+                   const auto value = whole_integer(field);
                    if (!value || *value < 1 || *value > rows) return false;
                    entries.row.push_back(static_cast<std::int32_t>(*value - 1));
                    return true;
@@ -257,28 +244,20 @@ MatrixEntries read_columns(FixedLines& lines, const HarwellBoeingHeader& header)
   return entries;
 }
 
-/// The next line of a text, which is taken from it.
-std::string_view first_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return line;
-}
-
 }  // namespace
 
 bool is_harwell_boeing(std::string_view head) {
-  (void)first_line(head);
-  const std::string_view cards = first_line(head);
-  const std::string type = in_capitals(first_line(head));
-  const std::string_view formats = first_line(head);
-  constexpr std::string_view kOf[] = {"RCP", "SUHZR", "AE"};
+  (void)take_line(head);
+  const std::string_view cards = take_line(head);
+  const std::string type = in_capitals(take_line(head));
+  const std::string_view formats = take_line(head);
+  constexpr std::string_view kOf[] = {"RCPI", "SUHZR", "AE"};
   if (type.size() < 4 * kCountWidth) return false;
   for (std::size_t i = 0; i < 3; ++i) {
     if (kOf[i].find(type[i]) == std::string_view::npos) return false;
   }
-  return whole_number(part(cards, 0, kCountWidth)) &&
-         whole_number(part(type, kCountWidth, kCountWidth)) && trimmed(formats).starts_with('(');
+  return whole_integer(part(cards, 0, kCountWidth)) &&
+         whole_integer(part(type, kCountWidth, kCountWidth)) && trimmed(formats).starts_with('(');
 }
 
 SymmetricEntries parse_harwell_boeing(std::string_view text, std::string_view file) {

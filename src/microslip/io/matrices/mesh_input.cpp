@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <system_error>
 #include <unordered_map>
 #include <utility>
 
@@ -18,6 +16,7 @@
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/named_file.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 
 namespace microslip {
 namespace {
@@ -30,15 +29,9 @@ constexpr std::size_t kLongestNumber = 20;
 /// That GENERATE and sets in sets put there: more than the nodes of any mesh that is taken.
 constexpr std::size_t kMostInSets = kMostDegreesOfFreedom / 2;
 
-/// The cells between commas, without blanks; a comma at the end of the line begins none.
+/// The cells between commas; a comma at the end of the line begins none.
 std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) break;
-    line.remove_prefix(comma + 1);
-  }
+  std::vector<std::string_view> cells = comma_cells(line);
   if (cells.back().empty()) cells.pop_back();
   return cells;
 }
@@ -46,10 +39,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return whole_number<Number>(text);
 }
 
 std::vector<std::int64_t> each_once(std::vector<std::int64_t> nodes) {
@@ -88,12 +78,8 @@ class InputReader {
     std::size_t number = 0;
     Section section;
     while (!text.empty()) {
-      const std::size_t end = text.find('\n');
-      std::string_view line = text.substr(0, end);
-      text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+      const std::string_view line = trimmed(take_dos_line(text));
       ++number;
-      if (line.ends_with('\r')) line.remove_suffix(1);
-      line = trimmed(line);
       const TextPlace place{file, number, 0};
       if (line.empty() || line.starts_with("**")) continue;
       if (line.starts_with('*')) {

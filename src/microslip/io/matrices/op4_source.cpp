@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <system_error>
 #include <utility>
 
 #include "microslip/io/bytes/byte_order.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/matrices/symmetric_entries.hpp"
 #include "microslip/io/uff/uff_fields.hpp"
 
@@ -31,11 +30,7 @@ static_assert(std::endian::native == std::endian::little);
 std::optional<std::int64_t> op4_integer(std::string_view line, std::size_t begin,
                                         std::size_t width) {
   if (begin >= line.size()) return std::nullopt;
-  const std::string_view text = trimmed(line.substr(begin, width));
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
+  return whole_integer(trimmed(line.substr(begin, width)));
 }
 
 bool is_name(std::string_view name) {
@@ -52,7 +47,6 @@ struct TextHeader {
 };
 
 std::optional<TextHeader> text_header(std::string_view line) {
-  if (line.ends_with('\r')) line.remove_suffix(1);
   const std::string_view whole = trimmed(line);
   const bool wide = whole.ends_with(kWideMark);
   const std::size_t size = wide ? kWideInteger : kInteger;
@@ -88,9 +82,7 @@ std::optional<TextHeader> text_header(std::string_view line) {
 
 }  // namespace
 
-bool is_op4_text(std::string_view head) {
-  return text_header(head.substr(0, head.find('\n'))).has_value();
-}
+bool is_op4_text(std::string_view head) { return text_header(take_dos_line(head)).has_value(); }
 
 bool is_op4_binary(std::string_view head) {
   for (const std::size_t integer : {std::size_t{4}, std::size_t{8}}) {
@@ -108,10 +100,7 @@ bool is_op4_binary(std::string_view head) {
 
 bool Op4Text::next_line() {
   if (rest_.empty()) return false;
-  const std::size_t end = rest_.find('\n');
-  line_ = rest_.substr(0, end);
-  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-  if (line_.ends_with('\r')) line_.remove_suffix(1);
+  line_ = take_dos_line(rest_);
   ++number_;
   return true;
 }

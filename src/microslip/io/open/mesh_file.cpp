@@ -11,6 +11,7 @@
 #include "microslip/base/units.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/matrices/mesh_input.hpp"
 #include "microslip/io/matrices/uff_nodes.hpp"
 #include "microslip/io/tables/csv.hpp"
@@ -25,11 +26,8 @@ constexpr std::size_t kHead = 65536;
 std::string_view first_line(std::string_view head) {
   if (head.starts_with(kByteOrderMark)) head.remove_prefix(kByteOrderMark.size());
   while (!head.empty()) {
-    const std::size_t end = head.find('\n');
-    std::string_view line = head.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    const std::string_view line = take_dos_line(head);
     if (!trimmed(line).empty() && !trimmed(line).starts_with('#')) return line;
-    head.remove_prefix(end == std::string_view::npos ? head.size() : end + 1);
   }
   return {};
 }
