@@ -76,6 +76,26 @@ TEST(HarwellBoeing, IsReadWhereFieldsAreNarrowerOrTouch) {
   expect_matrix(parse_harwell_boeing(touching, "k.hb"));
 }
 
+// scipy.io.hb_write() of SciPy 1.10.1 of numpy.float32: 14 columns for E15.7, no blank before a
+// sign; and of integers.
+TEST(HarwellBoeing, OfSinglePrecisionAndOfIntegersIsRead) {
+  const std::string sizes =
+      "Default title                                                           0       \n"
+      "             4             1             1             2\n";
+  const std::string lists = " 1 3 6 8\n 1 2 1 2 3 2 3\n";
+  const std::string single =
+      sizes + "RUA                        3             3             7             0\n" +
+      "(40I2)          (40I2)          (5E15.7)            \n" + lists +
+      " 4.0000000E+00-1.0000000E+00-1.0000000E+00 5.0000000E+00-2.0000000E+00\n"
+      "-2.0000000E+00 6.0000000E+00\n";
+  expect_matrix(parse_harwell_boeing(single, "k.hb"));
+  const std::string integers =
+      sizes + "IUA                        3             3             7             0\n" +
+      "(40I2)          (40I2)          (26I3)              \n" + lists + "  4 -1 -1  5 -2 -2  6\n";
+  EXPECT_TRUE(is_harwell_boeing(integers));
+  expect_matrix(parse_harwell_boeing(integers, "k.hb"));
+}
+
 TEST(HarwellBoeingFault, IsNamedByItsPlace) {
   const auto fault = [](const std::string& text) {
     return message_of<FormatError>([&] { (void)parse_harwell_boeing(text, "k.hb"); });
@@ -117,6 +137,14 @@ TEST(CoordinateList, OfOneTriangleOrBothIsRead) {
   expect_matrix(parse_coordinate_list("% K\n3 3 5\n" + lower, "k.txt"));  // rows, columns, lines
   expect_matrix(parse_coordinate_list(
       "# savetxt\n1.0e+00 1.0e+00 4.0e+00\n2 1 -1\n2 2 5\n3 2 -2\n3 3 6", "k.txt"));
+  EXPECT_EQ(parse_coordinate_list(lower + "1 1 2\n", "k").repeated, 1U) << "they add up";
+  EXPECT_EQ(parse_coordinate_list(lower + "1 2 -1\n2 3 -2\n", "k").repeated, 0U);
+  EXPECT_EQ(parse_coordinate_list(lower + "1 2 -1\n2 3 -2\n1 2 0\n1 1 1\n", "k").repeated, 2U);
+  EXPECT_EQ(parse_coordinate_list("3 3 6\n2 2 5\n", "k").value.size(), 2U) << "downwards";
+  const std::string cut = lower.substr(0, lower.find("3 3"));  // its line of sizes was an entry
+  EXPECT_EQ(message_of<FormatError>([&] { (void)parse_coordinate_list("3 3 5\n" + cut, "k"); }),
+            "k:6:7: expected 5 entries, which the first line states, found 4. The file is "
+            "truncated, or its first line is an entry: then put it behind the others.");
   EXPECT_EQ(message_of<FormatError>([&] { (void)parse_coordinate_list("1 0.5 4\n", "k"); }),
             "k:1:3: expected a column from 1 to 20000000, found 0.5");
   EXPECT_EQ(message_of<InputError>([&] { (void)parse_coordinate_list(lower + "1 2 -1\n", "k"); }),

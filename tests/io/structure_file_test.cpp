@@ -204,6 +204,30 @@ TEST(StructureFile, AsksForTheUnitOfMatricesBesideNodesOfAnother) {
   EXPECT_EQ(file.warnings[0].code, "matrix_units_assumed");
 }
 
+// A file that lacks its last lines may be well formed; entries of one place are added.
+TEST(StructureFile, WarnsOfMassesThatAreMissingAndEntriesThatAreThereTwice) {
+  const StructureFolder folder;
+  folder.put(
+      "k.mtx",
+      "%%MatrixMarket matrix coordinate real symmetric\n3 3 4\n1 1 5\n2 2 6\n3 3 3\n3 3 4\n");
+  folder.put("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n1 1 1\n3 3 3\n");
+  const StructureFile file = folder.parse();
+  ASSERT_EQ(file.warnings.size(), 2U);
+  const auto warning = [&](std::size_t i) {
+    return file.warnings[i].text.substr(file.warnings[i].text.find("matrices."));
+  };
+  EXPECT_EQ(warning(0),
+            "matrices.stiffness: entries at the place of another one: 1; those of one place are "
+            "added, as programs for sparse matrices do. Where that is not meant, leave "
+            "out what is there twice");
+  EXPECT_EQ(warning(1),
+            "matrices.mass: z of 2 is without mass, taken to be massless. Where that is not meant, "
+            "the file may lack its last lines");
+  folder.put("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 1\n3 3 3\n");
+  EXPECT_NE(folder.parse().warnings.at(1).text.find("z of 1 and 1 more displacements are without"),
+            std::string::npos);
+}
+
 TEST(StructureFile, DampingRatiosAreViscous) {
   const StructureFolder folder;
   const StructureFile file = folder.parse(

@@ -19,6 +19,8 @@ struct SymmetricEntries {
   std::vector<std::int32_t> row;     ///< from 0
   std::vector<std::int32_t> column;  ///< from 0, ≤ row; one per entry
   std::vector<double> value;         ///< finite; one per entry
+  /// Entries of a file that stood at a place that another one before had.
+  std::size_t repeated = 0;
 };
 
 /// The largest matrix that is taken, rows: indices are of 32 bits, and a factor needs more.

@@ -25,6 +25,7 @@
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/matrices/abaqus_matrices.hpp"
 #include "microslip/io/matrices/calculix_matrices.hpp"
+#include "microslip/io/matrices/degree_entries.hpp"
 #include "microslip/io/matrices/dmig_matrices.hpp"
 #include "microslip/io/open/matrix_file.hpp"
 #include "microslip/io/open/mesh_file.hpp"
@@ -160,6 +161,47 @@ void complete_ring(const TomlTable& table, const MeshFile& mesh, StructureFile& 
        "the matrices of CalculiX have a wedge of 2 degrees of axisymmetric elements. They were "
        "multiplied by 180: masses, stiffnesses and forces are those of the whole ring, and modes "
        "with waves around it are not among them."});
+}
+
+/// What is in a list twice is added, as the format has it; by mistake it may be there twice.
+void warn_of_repeated(const TomlTable& table, const StructuralMatrices& matrices,
+                      std::vector<Warning>& warnings) {
+  for (const auto& [key, matrix] :
+       {std::pair{"stiffness", &matrices.stiffness}, std::pair{"mass", &matrices.mass}}) {
+    if (matrix->repeated == 0) continue;
+    warnings.push_back(
+        {"entries_added",
+         fmt::format("{}: entries at the place of another one: {}; those of one place are "
+                     "added, as programs for sparse matrices do. Where that is not meant, "
+                     "leave out what is there twice",
+                     table.has(key) ? table.name(key) : std::string(key), matrix->repeated)});
+  }
+}
+
+/// A file of lumped masses that lacks its last lines is well formed. CalculiX' has none of them.
+void warn_of_massless(const TomlTable& table, const StructuralMatrices& matrices,
+                      std::vector<Warning>& warnings) {
+  if (table.has("calculix")) return;
+  std::vector<bool> has_mass(matrices.degrees.size(), false);
+  for (std::size_t i = 0; i < matrices.mass.value.size() && !has_mass.empty(); ++i) {
+    if (matrices.mass.value[i] == 0.0) continue;
+    has_mass[static_cast<std::size_t>(matrices.mass.row[i])] = true;
+    has_mass[static_cast<std::size_t>(matrices.mass.column[i])] = true;
+  }
+  std::vector<std::string> lack;
+  for (std::size_t row = 0; row < matrices.degrees.size(); ++row) {
+    const DegreeOfFreedom& degree = matrices.degrees[row];
+    if (!has_mass[row] && !turns(degree) && degree.node > 0) lack.push_back(degree_text(degree));
+  }
+  if (lack.empty()) return;
+  warnings.push_back(
+      {"mass_missing",
+       fmt::format("{}: {}{} without mass, taken to be massless. Where that is not meant, the file "
+                   "may lack its last lines",
+                   table.name("mass"), lack.front(),
+                   lack.size() == 1
+                       ? std::string(" is")
+                       : fmt::format(" and {} more displacements are", lack.size() - 1))});
 }
 
 StructuralMatrices read_matrices(const TomlTable& table, std::string_view file,
@@ -408,6 +450,8 @@ StructureFile read_with_matrices(const TomlTable& top, std::string_view file) {
   read.warnings = std::move(mesh.warnings);
   warn_of_units(matrices, mesh, read.warnings);
   read.structure.matrices = read_matrices(matrices, file, units, mesh);
+  warn_of_repeated(matrices, read.structure.matrices, read.warnings);
+  warn_of_massless(matrices, read.structure.matrices, read.warnings);
   complete_ring(matrices, mesh, read);
   read.structure.nodes_without_element = without_element(mesh, read.structure.matrices.degrees);
   read.structure.nodes = std::move(mesh.nodes);

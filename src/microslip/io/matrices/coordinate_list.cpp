@@ -51,12 +51,32 @@ void add_coordinates(NumberLines& lines, MatrixEntries& entries) {
   entries.size = std::max(entries.size, static_cast<std::size_t>(last) + 1);
 }
 
+/// Whether a first line of the last row and column is one of sizes: a list begins with the first
+/// row or column behind it, or has that place again.
+bool begins_behind(const MatrixEntries& entries) {
+  const double count = entries.value[0];
+  if (count < 1.0 || count != std::floor(count) || entries.size < 2) return false;
+  if (entries.row[1] == 0 || entries.column[1] == 0) return true;
+  for (std::size_t i = 1; i < entries.value.size(); ++i) {
+    if (entries.row[i] == entries.row[0] && entries.column[i] == entries.column[0]) return true;
+  }
+  return false;
+}
+
 /// A first line of rows, columns and number of entries, as some programs write, is none of these.
-void drop_sizes(MatrixEntries& entries) {
+/// @throws FormatError  where it states another number than there are.
+void drop_sizes(MatrixEntries& entries, const TextPlace& end) {
   const std::size_t others = entries.value.size() - 1;
   const bool is_last = static_cast<std::size_t>(entries.row[0]) + 1 == entries.size &&
                        entries.row[0] == entries.column[0];
-  if (!is_last || others == 0 || entries.value[0] != static_cast<double>(others)) return;
+  if (!is_last || others == 0) return;
+  if (entries.value[0] != static_cast<double>(others)) {
+    if (!begins_behind(entries)) return;
+    throw FormatError(
+        end, fmt::format("{} entries, which the first line states", entries.value[0]),
+        std::to_string(others),
+        "The file is truncated, or its first line is an entry: then put it behind the others.");
+  }
   entries.row.erase(entries.row.begin());
   entries.column.erase(entries.column.begin());
   entries.value.erase(entries.value.begin());
@@ -88,7 +108,7 @@ SymmetricEntries parse_coordinate_list(std::string_view text, std::string_view f
   if (entries.value.empty()) {
     throw FormatError(lines.place(), "lines of row, column and value", "none");
   }
-  drop_sizes(entries);
+  drop_sizes(entries, lines.place());
   if (has_both_triangles(entries)) {
     return symmetric_of_both(entries, file,
                              "It has some entries of both triangles: all must be there, or those "

@@ -98,22 +98,42 @@ struct PlacedField {
   std::size_t begin = 0;
 };
 
-/// The fields of a line by their width; where blanks part as many pieces, these, for some programs
-/// write narrower fields than their header says (SciPy 1.10: 24 columns for E25.16).
-std::vector<PlacedField> fields_of(std::string_view line, std::size_t count,
-                                   const FieldForm& form) {
+/// Where the piece of a line ends that begins at `begin`: at a blank or, if so asked, at a sign
+/// behind a digit.
+std::size_t end_of_piece(std::string_view line, std::size_t begin, bool at_signs) {
+  std::size_t end = begin + 1;
+  while (end < line.size() && line[end] != ' ') {
+    const bool is_sign = line[end] == '-' || line[end] == '+';
+    if (at_signs && is_sign && line[end - 1] >= '0' && line[end - 1] <= '9') break;
+    ++end;
+  }
+  return std::min(end, line.size());
+}
+
+std::vector<PlacedField> pieces_of(std::string_view line, bool at_signs) {
   std::vector<PlacedField> pieces;
   for (std::size_t at = line.find_first_not_of(' '); at < line.size();) {
-    const std::size_t end = std::min(line.find(' ', at), line.size());
+    const std::size_t end = end_of_piece(line, at, at_signs);
     pieces.push_back({line.substr(at, end - at), at});
     at = line.find_first_not_of(' ', end);
   }
-  if (pieces.size() == count) return pieces;
-  pieces.clear();
-  for (std::size_t i = 0; i < count; ++i) {
-    pieces.push_back({part(line, i * form.width, form.width), i * form.width});
-  }
   return pieces;
+}
+
+/// The fields of a line by their width; where blanks, or blanks and signs, part as many pieces,
+/// these, for some programs write narrower fields than their header says (SciPy 1.10: 24 columns
+/// for E25.16, 14 for E15.7, without a blank before a sign).
+std::vector<PlacedField> fields_of(std::string_view line, std::size_t count,
+                                   const FieldForm& form) {
+  for (const bool at_signs : {false, true}) {
+    std::vector<PlacedField> pieces = pieces_of(line, at_signs);
+    if (pieces.size() == count) return pieces;
+  }
+  std::vector<PlacedField> fields;
+  for (std::size_t i = 0; i < count; ++i) {
+    fields.push_back({part(line, i * form.width, form.width), i * form.width});
+  }
+  return fields;
 }
 
 /// The fields of a list that goes over several lines.
@@ -139,6 +159,7 @@ void for_each_field(FixedLines& lines, std::size_t count, const FieldForm& form,
 
 struct HarwellBoeingHeader {
   std::string type;  ///< in capitals
+  [[nodiscard]] bool has_integers() const { return type[0] == 'I'; }
   std::size_t rows = 0;
   std::size_t entries = 0;
   FieldForm pointers;
@@ -194,7 +215,8 @@ HarwellBoeingHeader read_header_of(FixedLines& lines) {
   const std::string_view formats = lines.next("formats");
   header.pointers = form_of(lines, formats, 0, kFormatWidth, "I");
   header.indices = form_of(lines, formats, kFormatWidth, kFormatWidth, "I");
-  header.values = form_of(lines, formats, 2 * kFormatWidth, kValueFormatWidth, "EDFG");
+  header.values = form_of(lines, formats, 2 * kFormatWidth, kValueFormatWidth,
+                          header.has_integers() ? "I" : "EDFG");
   if (header.has_right_sides) (void)lines.next("the form of the right-hand sides");
   return header;
 }
@@ -231,9 +253,10 @@ MatrixEntries read_columns(FixedLines& lines, const HarwellBoeingHeader& header)
   for_each_field(lines, header.entries, header.values, "finite numbers with a point",
                  [&](std::string_view field) {
                    const auto value = uff_number(field);
-                   // Without a point the format would place it.
                    if (!value || !std::isfinite(*value)) return false;
-                   if (*value != 0.0 && field.find('.') == std::string_view::npos) return false;
+                   // Without a point the format would place it.
+                   const bool placed = header.has_integers() || field.find('.') < field.size();
+                   if (*value != 0.0 && !placed) return false;
                    entries.value.push_back(*value);
                    return true;
                  });

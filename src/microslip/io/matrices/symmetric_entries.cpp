@@ -58,6 +58,26 @@ std::vector<Pair> pairs_of(const MatrixEntries& entries) {
   return pairs;
 }
 
+/// Whether the places rise, which most programs write: then none is there twice.
+bool rise(const std::vector<std::int32_t>& slow, const std::vector<std::int32_t>& fast) {
+  for (std::size_t i = 1; i < slow.size(); ++i) {
+    if (std::pair(slow[i - 1], fast[i - 1]) >= std::pair(slow[i], fast[i])) return false;
+  }
+  return true;
+}
+
+/// Entries whose place another one has.
+std::size_t count_repeated(const MatrixEntries& entries) {
+  if (rise(entries.column, entries.row) || rise(entries.row, entries.column)) return 0;
+  std::vector<std::pair<std::int32_t, std::int32_t>> places;
+  places.reserve(entries.value.size());
+  for (std::size_t i = 0; i < entries.value.size(); ++i) {
+    places.emplace_back(entries.row[i], entries.column[i]);
+  }
+  std::ranges::sort(places);
+  return static_cast<std::size_t>(std::ranges::distance(std::ranges::unique(places)));
+}
+
 }  // namespace
 
 void require_whole_lines(std::string_view text, const TextPlace& place) {
@@ -87,7 +107,11 @@ SymmetricEntries symmetric_of_both(const MatrixEntries& entries, std::string_vie
   for (const Pair& pair : pairs) {
     if (pair.row == pair.column) diagonal[static_cast<std::size_t>(pair.row)] = pair.lower;
   }
-  SymmetricEntries matrix{.size = entries.size, .row = {}, .column = {}, .value = {}};
+  SymmetricEntries matrix{.size = entries.size,
+                          .row = {},
+                          .column = {},
+                          .value = {},
+                          .repeated = count_repeated(entries)};
   for (const Pair& pair : pairs) {
     const double scale = std::sqrt(std::abs(diagonal[static_cast<std::size_t>(pair.row)] *
                                             diagonal[static_cast<std::size_t>(pair.column)]));
@@ -107,6 +131,7 @@ SymmetricEntries symmetric_of_both(const MatrixEntries& entries, std::string_vie
 }
 
 SymmetricEntries symmetric_of_triangle(MatrixEntries entries, std::string_view file) {
+  const std::size_t repeated = count_repeated(entries);
   bool upper = false;
   bool lower = false;
   for (std::size_t i = 0; i < entries.value.size(); ++i) {
@@ -124,7 +149,8 @@ SymmetricEntries symmetric_of_triangle(MatrixEntries entries, std::string_view f
   return {.size = entries.size,
           .row = std::move(entries.row),
           .column = std::move(entries.column),
-          .value = std::move(entries.value)};
+          .value = std::move(entries.value),
+          .repeated = repeated};
 }
 
 }  // namespace microslip
