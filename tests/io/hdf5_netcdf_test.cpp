@@ -15,6 +15,7 @@
 #include "io/other_hdf5.hpp"
 #include "io/support.hpp"
 #include "microslip/io/hdf5/hdf5_recording.hpp"
+#include "microslip/io/open/recording_file.hpp"
 
 namespace microslip::hdf5_netcdf_test {
 namespace {
@@ -488,6 +489,28 @@ TEST_F(Hdf5NetCdf, TakesDatesOfATable) {
   EXPECT_FALSE(all.recordings.at(0).channel("force").dimension);
   ASSERT_EQ(all.warnings.size(), 1U);
   EXPECT_EQ(all.warnings[0].code, "units_not_assigned");
+}
+
+// Of a file that has times for some of its datasets.
+TEST_F(Hdf5NetCdf, TakesAStatedRateForWhatNothingPlaces) {
+  {
+    OtherFile file(path_);
+    file.group("a");
+    file.dataset<double>("a/force", H5T_NATIVE_DOUBLE, {3}, kValues);
+    file.number("a", "fs", 100.0);
+    file.group("b");
+    file.dataset<double>("b/acc", H5T_NATIVE_DOUBLE, {3}, kValues);
+    const hid_t type = table_type("index");
+    file.dataset<TableRow>("data", type, {3}, kRows);
+    H5Tclose(type);
+  }
+  const Recordings all = read_recordings(path_, {.rate = 0.1});
+  ASSERT_EQ(all.recordings.size(), 3U);
+  for (const Recording& recording : all.recordings) {
+    EXPECT_EQ(recording.axis.step, recording.source == "a.nc:/a" ? 0.01 : 10.0);
+  }
+  EXPECT_EQ(read().recordings.size(), 1U) << "without a rate";
+  EXPECT_EQ(read_recordings_hdf5(path_, {.allow_untimed = true}).recordings.size(), 1U);
 }
 
 TEST_F(Hdf5NetCdf, TakesTimesBesideATable) {

@@ -12,12 +12,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/support.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/mat/mat_recording.hpp"
 #include "microslip/io/mat/mat_value.hpp"
+#include "microslip/io/open/recording_file.hpp"
 
 namespace microslip::mat_other_test {
 namespace {
@@ -38,6 +40,23 @@ class OtherMat {
   }
   void add_single(const char* name, std::vector<float> values) {
     put(name, MAT_C_SINGLE, MAT_T_SINGLE, values.size(), 1, values.data());
+  }
+  /// A struct of one element, of column vectors.
+  void add_struct(const char* name,
+                  std::vector<std::pair<const char*, std::vector<double>>> fields) {
+    std::vector<const char*> names;
+    for (const auto& field : fields) names.push_back(field.first);
+    std::array<std::size_t, 2> one{1, 1};
+    matvar_t* variable =
+        Mat_VarCreateStruct(name, 2, one.data(), names.data(), static_cast<unsigned>(names.size()));
+    for (auto& [field, values] : fields) {
+      std::array<std::size_t, 2> sizes{values.size(), 1};
+      Mat_VarSetStructFieldByName(
+          variable, field, 0,
+          Mat_VarCreate(field, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes.data(), values.data(), 0));
+    }
+    Mat_VarWrite(file_, variable, compression_);
+    Mat_VarFree(variable);
   }
   void add(const char* name, std::string text) {
     put(name, MAT_C_CHAR, MAT_T_UINT8, 1, text.size(), text.data());
@@ -152,6 +171,48 @@ TEST_F(MatOther, NumbersPointsWhereThatIsAllowed) {
   EXPECT_EQ(read.recordings.at(0).axis.step, 1.0);
   EXPECT_EQ(read.recordings.at(0).channels.size(), 2U);
   EXPECT_EQ(read.warnings.at(0).code, "points_untimed");
+}
+
+// Of a file that has times for some of its structs.
+TEST_F(MatOther, TakesAStatedRateForWhatNothingPlaces) {
+  {
+    OtherMat file(path_);
+    file.add_struct("timed", {{"fs", {100.0}}, {"force", {1, 2, 3}}});
+    file.add_struct("untimed", {{"acc", {1, 2, 4, 8}}});
+    file.add_struct("other", {{"time", {0, 1}}, {"gap", {1, 2, 4}}});
+  }
+  const Recordings read = read_recordings(path_, {.rate = 512.0});
+  ASSERT_EQ(read.recordings.size(), 2U);
+  EXPECT_EQ(read.recordings[0].axis.step, 0.01);
+  EXPECT_EQ(read.recordings[1].axis.step, 1.0 / 512.0);
+  EXPECT_EQ(read.recordings[1].channel("acc").values.size(), 4U);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_NE(read.warnings[0].text.find("'time' of 2 values for its 3"), std::string::npos);
+}
+
+TEST_F(MatOther, LeavesOutAStructWithoutAnyWholeChannel) {
+  const double nan = std::nan("");
+  {
+    OtherMat file(path_);
+    file.add("fs", {100.0}, 1);
+    file.add("force", {1, 2, 3}, 3);
+    file.add("spare", {nan, nan, nan, nan}, 4);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].channels.size(), 1U);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "recording_left_out");
+  EXPECT_EQ(read.warnings[0].text,
+            path_ +
+                ": channel 'spare', point 1 = nan; must be finite; 4 of 4 values are missing or "
+                "not finite. Cut the record where it is whole. It is left out");
+  {
+    OtherMat file(path_);
+    file.add("fs", {100.0}, 1);
+    file.add("spare", {nan, nan, nan, nan}, 4);
+  }
+  EXPECT_NE(message().find("channel 'spare', point 1 = nan; must be finite"), std::string::npos);
 }
 
 // libmatio 1.5.23 counts two bytes for each letter of a compressed text and writes one: its

@@ -13,9 +13,10 @@
 namespace microslip {
 
 /// All recordings of a file, or the variables of Octave's save -hdf5.
+/// @param options  of which progress, allow_untimed and rate count.
 /// @throws FormatError, InputError  as read_recordings_hdf5().
-[[nodiscard]] Hdf5Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
-                                             const Progress& progress);
+[[nodiscard]] Hdf5Recordings hdf5_recordings(const std::string& path,
+                                             const RecordingReadOptions& options);
 
 /// The variables of a MATLAB file of version 7.3, which is one of HDF5.
 /// @throws FormatError  as read_mat_tree().

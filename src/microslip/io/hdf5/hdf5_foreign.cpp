@@ -141,21 +141,25 @@ bool speaks_of_time(const DatasetSide& side) {
 
 class ForeignReader {
  public:
-  ForeignReader(std::string path, Hdf5Progress& progress)
-      : path_(std::move(path)), progress_(progress) {}
+  ForeignReader(std::string path, Hdf5Progress& progress, const RecordingReadOptions& options)
+      : path_(std::move(path)),
+        progress_(progress),
+        options_(options),
+        place_untimed_(options.rate.has_value()) {}
 
-  Recordings read(hid_t file, bool allow_untimed) {
+  Recordings read(hid_t file) {
     netcdf_ = is_netcdf(file);
-    read_all(file, {});
-    if (result_.recordings.empty() && allow_untimed && may_be_untimed(without_axis_)) {
+    read_all(file);
+    if (result_.recordings.empty() && options_.allow_untimed && may_be_untimed(without_axis_)) {
       visited_.clear();
       without_axis_.clear();
       served_.clear();
       result_.warnings.clear();
-      read_all(file, {.step = 1.0});
-      result_.warnings.push_back(points_untimed(path_));
+      place_untimed_ = true;
+      read_all(file);
     }
     if (result_.recordings.empty()) fail_without_recording();
+    check_foreign(result_, path_);
     warn_without_rate(without_axis_, result_.warnings);
     return std::move(result_);
   }
@@ -167,15 +171,12 @@ class ForeignReader {
     return has("_NCProperties") || has("_nc3_strict") || has("Conventions");
   }
 
-  void read_all(hid_t file, const Sampling& sampling) {
+  void read_all(hid_t file) {
     groups_.clear();
-    read_group(file, "", sampling, 0);
+    read_group(file, "", {}, 0);
     for (GroupRead& group : groups_) {
       read_scales(group);
-      for (Recording& recording : group.recordings) {
-        check_foreign(recording, path_, result_.warnings);
-        result_.recordings.push_back(std::move(recording));
-      }
+      std::ranges::move(group.recordings, std::back_inserter(result_.recordings));
     }
   }
 
@@ -321,7 +322,9 @@ class ForeignReader {
       read = beside->read;
     }
     if (read && read->fault.empty()) return read->points.axis;
-    if (!read && sampling.step) return even_axis(sampling);
+    if (!read) {
+      if (const auto axis = axis_without_points(sampling)) return axis;
+    }
     without_axis_.push_back({dataset.place, read ? read->fault : std::string()});
     return std::nullopt;
   }
@@ -477,12 +480,23 @@ class ForeignReader {
       if (fault.empty()) return AxisAlong{axis->read.points.axis, side};
     }
     const Sampling sampling = sampling_of(dataset.handle.id(), group.sampling, dataset.place);
-    if (!sampling.step) return std::nullopt;
+    const bool contradicted = !fault.empty() || axis;
+    if (contradicted && !sampling.step) return std::nullopt;
+    std::optional<Axis> even = axis_without_points(sampling);
+    if (!even) return std::nullopt;
     const auto named = std::ranges::find_if(dataset.sides, speaks_of_time);
-    return AxisAlong{even_axis(sampling),
+    return AxisAlong{*std::move(even),
                      named == dataset.sides.end()
                          ? longest
                          : static_cast<std::size_t>(named - dataset.sides.begin())};
+  }
+
+  /// By a rate that the file states, else of points that nothing places.
+  std::optional<Axis> axis_without_points(const Sampling& sampling) {
+    if (sampling.step) return even_axis(sampling);
+    if (!place_untimed_) return std::nullopt;
+    note_untimed(options_, path_, result_);
+    return even_axis({.step = untimed_step(options_), .start = sampling.start});
   }
 
   /// False where it is left out.
@@ -634,6 +648,8 @@ class ForeignReader {
 
   std::string path_;
   Hdf5Progress& progress_;
+  const RecordingReadOptions& options_;
+  bool place_untimed_;  ///< whether datasets that nothing places take untimed_step()
   Recordings result_;
   std::set<haddr_t> visited_;
   std::map<haddr_t, std::optional<ScaleAxis>> scales_;  ///< by address
@@ -649,8 +665,8 @@ class ForeignReader {
 }  // namespace
 
 Recordings read_foreign_hdf5(hid_t file, const std::string& path, Hdf5Progress& progress,
-                             bool allow_untimed) {
-  return ForeignReader(path, progress).read(file, allow_untimed);
+                             const RecordingReadOptions& options) {
+  return ForeignReader(path, progress, options).read(file);
 }
 
 }  // namespace microslip

@@ -34,8 +34,8 @@ class Hdf5Progress {
 };
 
 /// Recordings of a file that another program wrote, see hdf5_recording.hpp.
-/// @param allow_untimed  see RecordingReadOptions.
 [[nodiscard]] Recordings read_foreign_hdf5(hid_t file, const std::string& path,
-                                           Hdf5Progress& progress, bool allow_untimed);
+                                           Hdf5Progress& progress,
+                                           const RecordingReadOptions& options);
 
 }  // namespace microslip

@@ -114,15 +114,14 @@ bool is_of_octave(hid_t file, const std::string& path) {
 
 }  // namespace
 
-Hdf5Recordings hdf5_recordings(const std::string& path, bool allow_untimed,
-                               const Progress& on_progress) {
+Hdf5Recordings hdf5_recordings(const std::string& path, const RecordingReadOptions& options) {
   const Hdf5Handle file = open_hdf5(path);
   if (is_of_octave(file.id(), path)) {
-    return {.variables = mat73_tree(path, {.progress = on_progress}), .of_octave = true};
+    return {.variables = mat73_tree(path, {.progress = options.progress}), .of_octave = true};
   }
-  Hdf5Progress progress(file.id(), on_progress);
+  Hdf5Progress progress(file.id(), options.progress);
   if (hdf5_text(file.id(), "schema", path) != kRecordingSchema) {
-    return {.recordings = read_foreign_hdf5(file.id(), path, progress, allow_untimed)};
+    return {.recordings = read_foreign_hdf5(file.id(), path, progress, options)};
   }
   Hdf5Recordings result;
   OwnReader reader(path, progress);

@@ -13,6 +13,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/io/sandbox/reading_process.hpp"
 
 namespace microslip {
@@ -68,10 +69,11 @@ std::string find_hdf5_reader() {
                               MICROSLIP_LIBEXEC_DIR, kVariable));
 }
 
-Hdf5Recordings read_hdf5_recordings(const std::string& path, bool allow_untimed,
-                                    const Progress& progress) {
-  const char* content = allow_untimed ? "untimed_recordings" : "recordings";
-  return read_in_process<Hdf5Recordings>(call(content, path), path, progress);
+Hdf5Recordings read_hdf5_recordings(const std::string& path, const RecordingReadOptions& options) {
+  std::vector<std::string> command =
+      call(options.allow_untimed ? "untimed_recordings" : "recordings", path);
+  if (options.rate) append_number(command.emplace_back(), *options.rate);
+  return read_in_process<Hdf5Recordings>(command, path, options.progress);
 }
 
 RawSamples read_hdf5_joint_samples(const std::string& path) {

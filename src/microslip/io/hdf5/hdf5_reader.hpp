@@ -38,8 +38,8 @@ void pass(Parcel& parcel, Hdf5Recordings& read) {
 }
 
 /// hdf5_recordings() there. @throws  as run_reading_process().
-[[nodiscard]] Hdf5Recordings read_hdf5_recordings(const std::string& path, bool allow_untimed,
-                                                  const Progress& progress);
+[[nodiscard]] Hdf5Recordings read_hdf5_recordings(const std::string& path,
+                                                  const RecordingReadOptions& options);
 
 /// The same, after what hinders the reading of a file has been looked at.
 /// @throws FileError, FormatError, InputError  as read_recordings_hdf5().

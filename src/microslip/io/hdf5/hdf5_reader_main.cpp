@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 
-// microslip-hdf5-reader VERSION CONTENT FILE [VARIABLE], of which CONTENT is recordings,
-// untimed_recordings, joint_samples or matlab: the program that reads files of HDF5 for the
-// library, see hdf5_reader.hpp.
+// microslip-hdf5-reader VERSION CONTENT FILE [MORE], of which CONTENT is recordings or
+// untimed_recordings (MORE: a rate in Hz), joint_samples or matlab (MORE: a variable): the program
+// that reads files of HDF5 for the library, see hdf5_reader.hpp.
 
 #include <cstdio>
 #include <string>
@@ -10,6 +10,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/version.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/hdf5/hdf5_contents.hpp"
 #include "microslip/io/hdf5/hdf5_handle.hpp"
 #include "microslip/io/hdf5/hdf5_joint_samples.hpp"
@@ -36,21 +37,26 @@ int serve(const std::string& version, const std::string& path, const Read& read)
 }
 
 int run(const std::vector<std::string>& arguments) {
-  const bool untimed = arguments.size() == 3 && arguments[1] == "untimed_recordings";
-  if (untimed || (arguments.size() == 3 && arguments[1] == "recordings")) {
+  const bool fits = arguments.size() == 3 || arguments.size() == 4;
+  const bool has_more = arguments.size() == 4;
+  const std::string content = fits ? arguments[1] : "";
+  if (content == "recordings" || content == "untimed_recordings") {
     return serve(arguments[0], arguments[2], [&](const Progress& on_progress) {
-      return hdf5_recordings(arguments[2], untimed, on_progress);
+      RecordingReadOptions options{.allow_untimed = content == "untimed_recordings",
+                                   .progress = on_progress};
+      if (has_more) options.rate = whole_number<double>(arguments[3]);
+      return hdf5_recordings(arguments[2], options);
     });
   }
-  if (arguments.size() == 3 && arguments[1] == "joint_samples") {
+  if (content == "joint_samples") {
     return serve(arguments[0], arguments[2], [&](const Progress& on_progress) {
       return hdf5_joint_samples(arguments[2], on_progress);
     });
   }
-  if ((arguments.size() == 3 || arguments.size() == 4) && arguments[1] == "matlab") {
+  if (content == "matlab") {
     return serve(arguments[0], arguments[2], [&](const Progress& on_progress) {
       MatReadOptions options{.progress = on_progress};
-      if (arguments.size() == 4) options.only = arguments[3];
+      if (has_more) options.only = arguments[3];
       return mat73_tree(arguments[2], options);
     });
   }

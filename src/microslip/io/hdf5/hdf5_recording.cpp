@@ -14,7 +14,7 @@ Hdf5Recordings read_hdf5_file(const std::string& path, const RecordingReadOption
   if (path == "-") throw FileError("standard input", "cannot hold an HDF5 file", "Name a file.");
   (void)read_file_head(path, 1);  // says what hinders the reading better than the library does
   try {
-    return read_hdf5_recordings(path, options.allow_untimed, options.progress);
+    return read_hdf5_recordings(path, options);
   } catch (const std::bad_alloc&) {
     throw FileError(path, "does not fit into memory");
   }

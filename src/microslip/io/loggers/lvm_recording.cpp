@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -63,6 +64,7 @@ class LvmReader {
     if (result_.recordings.empty()) {
       throw FormatError({path_, 0, 0}, "a section of values, two or more", "none");
     }
+    check_foreign(result_, path_);
     warn_without_rate(without_axis_, result_.warnings);
     return std::move(result_);
   }
@@ -156,10 +158,7 @@ class LvmReader {
       if (recording.axis.start != added.front().axis.start) ++starts;
     }
     if (starts > 0) warn_of_starts(section);
-    for (Recording& recording : added) {
-      check_foreign(recording, path_, result_.warnings);
-      result_.recordings.push_back(std::move(recording));
-    }
+    std::ranges::move(added, std::back_inserter(result_.recordings));
   }
 
   void warn_of_starts(const LvmSection& section) {
@@ -251,7 +250,7 @@ class LvmReader {
     }
     if (!options_.allow_untimed) without_axis_.push_back({place_of(channel)});
     if (!options_.allow_untimed) return std::nullopt;
-    if (!std::exchange(untimed_, true)) result_.warnings.push_back(points_placed(options_, path_));
+    note_untimed(options_, path_, result_);
     return even_axis({.step = untimed_step(options_)});
   }
 
@@ -297,7 +296,6 @@ class LvmReader {
   const std::string& path_;
   LvmContents contents_;
   const RecordingReadOptions& options_;
-  bool untimed_ = false;  ///< whether any points were taken so
   std::vector<WithoutAxis> without_axis_;
   Recordings result_;
 };

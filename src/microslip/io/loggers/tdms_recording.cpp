@@ -97,6 +97,7 @@ class TdmsGroups {
   Recordings read(const RecordingReadOptions& options) {
     for (const TdmsGroup& group : groups()) read_group(group, options);
     if (result_.recordings.empty()) fail_without_recording();
+    check_foreign(result_, path_);
     warn_without_rate(without_axis_, result_.warnings);
     if (contents_.truncated) {
       result_.warnings.push_back({"file_truncated", path_ + ": ends within a segment, of which "
@@ -295,7 +296,7 @@ class TdmsGroups {
         options.allow_untimed && std::ranges::none_of(channels, [](const LoggedChannel& logged) {
           return logged.axis.has_value();
         });
-    if (untimed && !channels.empty()) result_.warnings.push_back(points_placed(options, path_));
+    if (untimed && !channels.empty()) note_untimed(options, path_, result_);
     std::vector<Recording> recordings;
     for (LoggedChannel& logged : channels) {
       if (untimed) logged.axis = even_axis({.step = untimed_step(options)});
@@ -308,7 +309,6 @@ class TdmsGroups {
     }
     for (Recording& recording : recordings) {
       recording.attributes = attributes_of(*group.properties);
-      check_foreign(recording, path_, result_.warnings);
       result_.recordings.push_back(std::move(recording));
     }
   }

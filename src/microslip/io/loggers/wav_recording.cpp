@@ -225,7 +225,7 @@ class WavReader {
     file_.skip(part);
     read_rest(bytes, result.warnings);
     result.recordings.push_back(recording_of(format, values));
-    check_foreign(result.recordings.front(), path_, result.warnings);
+    check_foreign(result, path_);
     return result;
   }
 

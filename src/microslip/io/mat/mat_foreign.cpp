@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -165,7 +166,9 @@ void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& w
 
 class Collector {
  public:
-  explicit Collector(const std::string& path) : path_(path) {}
+  /// @param place_untimed  whether arrays that nothing places take untimed_step().
+  Collector(const std::string& path, const RecordingReadOptions& options, bool place_untimed)
+      : path_(path), options_(options), place_untimed_(place_untimed) {}
 
   /// A struct with all that lies in it. @param only  the one array to take; empty: all.
   void read_struct(MatValue& value, std::size_t element, const Sampling& known,
@@ -203,6 +206,7 @@ class Collector {
 
   Recordings finish() {
     if (result_.recordings.empty()) fail_without_recording();
+    check_foreign(result_, path_);
     warn_without_rate(without_axis_, result_.warnings);
     return std::move(result_);
   }
@@ -234,10 +238,7 @@ class Collector {
         add_without_axis(array, scope);
       }
     }
-    for (Recording& recording : recordings) {
-      check_foreign(recording, path_, result_.warnings);
-      result_.recordings.push_back(std::move(recording));
-    }
+    std::ranges::move(recordings, std::back_inserter(result_.recordings));
   }
 
   /// The axis, and whether it lies along the rows.
@@ -246,7 +247,7 @@ class Collector {
     bool rows = false;
   };
 
-  static std::optional<AxisAlong> find_axis(const Array& array, const Scope& scope) {
+  std::optional<AxisAlong> find_axis(const Array& array, const Scope& scope) {
     const std::vector<std::size_t>& sizes = array.value->sizes;
     const bool longer = sizes[1] > sizes[0];
     if (scope.axis) {
@@ -254,8 +255,11 @@ class Collector {
         if (sizes[rows ? 1 : 0] == scope.axis->points) return AxisAlong{scope.axis->axis, rows};
       }
     }
-    if (!scope.sampling.step) return std::nullopt;
-    return AxisAlong{even_axis(scope.sampling), longer};
+    if (scope.sampling.step) return AxisAlong{even_axis(scope.sampling), longer};
+    if (scope.axis || !place_untimed_) return std::nullopt;
+    note_untimed(options_, path_, result_);
+    return AxisAlong{even_axis({.step = untimed_step(options_), .start = scope.sampling.start}),
+                     longer};
   }
 
   void add_without_axis(const Array& array, const Scope& scope) {
@@ -333,6 +337,8 @@ class Collector {
   }
 
   std::string path_;
+  const RecordingReadOptions& options_;
+  bool place_untimed_;
   Recordings result_;
   std::vector<WithoutAxis> without_axis_;
   std::vector<std::pair<std::string, std::string>> others_;  ///< places and what lies there
@@ -344,9 +350,9 @@ namespace {
 
 /// What is asked for, over points as far as they are known.
 void collect(Collector& collector, MatValue& root, std::string_view variable,
-             const std::string& path, const Sampling& outside) {
-  if (variable.empty()) return collector.read_struct(root, 0, outside, {});
-  const Sampling known = sampling_of(root, 0, outside, path);
+             const std::string& path) {
+  if (variable.empty()) return collector.read_struct(root, 0, {}, {});
+  const Sampling known = sampling_of(root, 0, {}, path);
   const MatPlace place = follow(root, variable, path);
   if (place.value->kind == Kind::kStruct && place.element) {
     collector.read_struct(*place.value, *place.element, known, std::string(variable));
@@ -368,15 +374,13 @@ void collect(Collector& collector, MatValue& root, std::string_view variable,
 }  // namespace
 
 Recordings recordings_of(MatValue& root, std::string_view variable, const std::string& path,
-                         bool allow_untimed) {
-  Collector collector(path);
-  collect(collector, root, variable, path, {});
-  if (!allow_untimed || !collector.is_untimed()) return collector.finish();
-  Collector untimed(path);
-  collect(untimed, root, variable, path, {.step = 1.0});
-  Recordings recordings = untimed.finish();
-  recordings.warnings.push_back(points_untimed(path));
-  return recordings;
+                         const RecordingReadOptions& options) {
+  Collector collector(path, options, options.rate.has_value());
+  collect(collector, root, variable, path);
+  if (!options.allow_untimed || !collector.is_untimed()) return collector.finish();
+  Collector untimed(path, options, true);
+  collect(untimed, root, variable, path);
+  return untimed.finish();
 }
 
 }  // namespace microslip

@@ -11,9 +11,9 @@
 namespace microslip {
 
 /// The recordings in a tree, see mat_recording.hpp. Takes the numbers out of it.
-/// @param allow_untimed  see RecordingReadOptions.
 [[nodiscard]] Recordings recordings_of(MatValue& root, std::string_view variable,
-                                       const std::string& path, bool allow_untimed);
+                                       const std::string& path,
+                                       const RecordingReadOptions& options);
 
 /// Did microslip write this struct?
 [[nodiscard]] bool is_own_recording(MatValue& value, std::size_t element);

@@ -134,7 +134,7 @@ Recordings read_recordings_mat(const std::string& path, std::string_view variabl
                                const RecordingReadOptions& options) {
   MatTree tree = read_mat_tree(
       path, {.allow_truncated = options.allow_truncated, .progress = options.progress});
-  Recordings result = recordings_of(tree.root, variable, path, options.allow_untimed);
+  Recordings result = recordings_of(tree.root, variable, path, options);
   if (tree.truncated) {
     result.warnings.push_back(
         {"file_truncated", path + ": ends within a variable, which is left out; copy it again"});
@@ -146,7 +146,7 @@ Recordings read_recordings_hdf5_or_octave(const std::string& path,
                                           const RecordingReadOptions& options) {
   Hdf5Recordings read = read_hdf5_file(path, options);
   if (!read.of_octave) return std::move(read.recordings);
-  return recordings_of(read.variables.root, {}, path, options.allow_untimed);
+  return recordings_of(read.variables.root, {}, path, options);
 }
 
 }  // namespace microslip

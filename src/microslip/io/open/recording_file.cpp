@@ -179,7 +179,7 @@ RecordingReadOptions with_untimed(RecordingReadOptions options) {
 
 void finish_reading(const RecordingReadOptions& options, const std::string& file,
                     Recordings& recordings) {
-  if (options.rate) set_rate(*options.rate, file, recordings);
+  if (options.rate) require_rate_used(*options.rate, file, recordings);
   finish_units(options.assumed_units, recordings);
 }
 

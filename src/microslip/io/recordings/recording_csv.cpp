@@ -24,6 +24,7 @@
 #include "microslip/io/cells/csv_cells.hpp"
 #include "microslip/io/recordings/even_axis.hpp"
 #include "microslip/io/recordings/recording_csv_header.hpp"
+#include "microslip/io/recordings/sampling.hpp"
 #include "microslip/io/recordings/table_start.hpp"
 
 namespace microslip {
@@ -348,6 +349,7 @@ class CsvRecordingReader {
     check_recording(recording);
     Recordings recordings{.recordings = {}, .warnings = std::move(warnings_)};
     recordings.recordings.push_back(std::move(recording));
+    if (header_.is_untimed()) note_untimed(options_, file_.name(), recordings);
     return recordings;
   }
 

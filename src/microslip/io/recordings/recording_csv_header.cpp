@@ -283,8 +283,8 @@ void RecordingCsvHeader::resolve(const RecordingReadOptions& options,
   if (axis_) resolve_axis(options.assumed_units);
   warn_of_unknown_units(warnings);
   if (!axis_ && !rate_ && options.allow_untimed && (cells_.size() > 1 || options.rate)) {
-    rate_ = 1.0;
-    warnings.push_back(points_untimed(file_));
+    rate_ = options.rate.value_or(1.0);
+    untimed_ = true;
   }
   if (!axis_ && !rate_) throw_no_axis();
   if (axis_ && columns_.size() < 2) {

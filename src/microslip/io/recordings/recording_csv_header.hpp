@@ -67,8 +67,10 @@ class RecordingCsvHeader {
   [[nodiscard]] const std::vector<RecordingColumn>& columns() const { return columns_; }
   /// The column of the axis; nothing where a comment gives the rate.
   [[nodiscard]] std::optional<std::size_t> axis() const { return axis_; }
-  /// The rate that a comment gives, in Hz.
+  /// The rate that a comment gives, in Hz; that of untimed_step() where is_untimed().
   [[nodiscard]] std::optional<double> sampling_rate() const { return rate_; }
+  /// Whether neither a column nor a comment says when rows were taken.
+  [[nodiscard]] bool is_untimed() const { return untimed_; }
   [[nodiscard]] const Attributes& attributes() const { return attributes_; }
   /// For messages: "column 2 'force [N]'".
   [[nodiscard]] std::string label(std::size_t column) const;
@@ -95,6 +97,7 @@ class RecordingCsvHeader {
   std::vector<RecordingColumn> columns_;
   std::optional<std::size_t> axis_;
   std::optional<double> rate_;
+  bool untimed_ = false;
   Attributes attributes_;
 };
 

@@ -15,6 +15,7 @@ namespace microslip {
 struct Recordings {
   std::vector<Recording> recordings;  ///< in the order of the file
   std::vector<Warning> warnings;      ///< what the reader had to forgive
+  bool rate_used = false;  ///< whether RecordingReadOptions::rate placed the points of any
 };
 
 /// How files of recordings are read.
@@ -27,7 +28,7 @@ struct RecordingReadOptions {
   /// error.
   bool allow_untimed = false;
   /// The rate, Hz, above 0, of points that nothing in the file places. A file that has times or a
-  /// rate of its own is refused, whatever allow_untimed is.
+  /// rate of its own for all of them is refused, whatever allow_untimed is.
   std::optional<double> rate = {};
   /// Bytes done of all bytes.
   Progress progress = {};

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kEven = 1e-6;
 constexpr std::string_view kUntimed = "points_untimed";
-constexpr std::string_view kPlaced = "points_placed";  // is never shown
 constexpr std::string_view kRateOption = "`rate`";
 constexpr double kEvenAsStated = 0.01;
 
@@ -48,6 +47,25 @@ bool are_singles(const std::vector<double>& points) {
     const bool in_range = std::abs(v) <= static_cast<double>(std::numeric_limits<float>::max());
     return in_range && static_cast<double>(static_cast<float>(v)) == v;
   });
+}
+
+bool has_whole_channel(const Recording& recording) {
+  const auto are_finite = [](const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+  };
+  return std::ranges::any_of(recording.channels, [&](const Channel& channel) {
+    return are_finite(channel.values) && are_finite(channel.imaginary);
+  });
+}
+
+std::string reason_of_incomplete(const Recording& recording, const std::string& place) {
+  std::string reason;
+  try {
+    check_read(recording, place);
+  } catch (const InputError& error) {
+    reason = error.what();
+  }
+  return fmt::format("{} It is left out", reason);
 }
 
 Unit unit_of_axis(const PointsInFile& file) {
@@ -205,11 +223,20 @@ void check_read(const Recording& recording, const std::string& place) {
   }
 }
 
-void check_foreign(Recording& recording, const std::string& place, std::vector<Warning>& warnings) {
-  for (const std::string& reason : leave_out_incomplete(recording)) {
-    warnings.push_back({"channel_left_out", fmt::format("{}: {}", place, reason)});
+void check_foreign(Recordings& read, const std::string& place) {
+  for (Recording& recording : read.recordings) {
+    for (const std::string& reason : leave_out_incomplete(recording)) {
+      read.warnings.push_back({"channel_left_out", fmt::format("{}: {}", place, reason)});
+    }
   }
-  check_read(recording, place);
+  if (std::ranges::any_of(read.recordings, has_whole_channel)) {
+    std::erase_if(read.recordings, [&](const Recording& recording) {
+      if (has_whole_channel(recording)) return false;
+      read.warnings.push_back({"recording_left_out", reason_of_incomplete(recording, place)});
+      return true;
+    });
+  }
+  for (const Recording& recording : read.recordings) check_read(recording, place);
 }
 
 void warn_without_rate(std::span<const WithoutAxis> places, std::vector<Warning>& warnings) {
@@ -224,37 +251,32 @@ bool may_be_untimed(std::span<const WithoutAxis> places) {
   return !places.empty() && std::ranges::all_of(places, &std::string::empty, &WithoutAxis::found);
 }
 
-Warning points_untimed(std::string_view place) {
-  return {std::string(kUntimed),
-          fmt::format("{}: has no time or sampling rate; its points are taken to be 1 s apart, so "
-                      "that times are numbers of points and rates mean nothing",
-                      place)};
-}
-
 void check_rate(double rate) {
   if (std::isfinite(1.0 / rate) && rate > 0.0 && std::isfinite(rate)) return;
   throw InputError(std::string(kRateOption), rate, "must be above 0 Hz and finite");
-}
-
-void set_rate(double rate, std::string_view file, Recordings& recordings) {
-  const auto is_placed = [](const Warning& warning) { return warning.code == kPlaced; };
-  if (std::erase_if(recordings.warnings, is_placed) > 0) return;
-  const auto is_untimed = [](const Warning& warning) { return warning.code == kUntimed; };
-  if (std::erase_if(recordings.warnings, is_untimed) == 0) {
-    throw InputError(
-        std::string(kRateOption), fmt::format("{:.12g} Hz", rate),
-        fmt::format("must not be given for {}: it has times or a rate of its own", file),
-        "Leave it out.");
-  }
-  for (Recording& recording : recordings.recordings) recording.axis.step = 1.0 / rate;
 }
 
 double untimed_step(const RecordingReadOptions& options) {
   return options.rate ? 1.0 / *options.rate : 1.0;
 }
 
-Warning points_placed(const RecordingReadOptions& options, std::string_view place) {
-  return options.rate ? Warning{std::string(kPlaced), {}} : points_untimed(place);
+void note_untimed(const RecordingReadOptions& options, std::string_view place,
+                  Recordings& recordings) {
+  recordings.rate_used = recordings.rate_used || options.rate;
+  const auto is_untimed = [](const Warning& warning) { return warning.code == kUntimed; };
+  if (options.rate || std::ranges::any_of(recordings.warnings, is_untimed)) return;
+  recordings.warnings.push_back(
+      {std::string(kUntimed),
+       fmt::format("{}: has no time or sampling rate; its points are taken to be 1 s apart, so "
+                   "that times are numbers of points and rates mean nothing",
+                   place)});
+}
+
+void require_rate_used(double rate, std::string_view file, const Recordings& recordings) {
+  if (recordings.rate_used) return;
+  throw InputError(std::string(kRateOption), fmt::format("{:.12g} Hz", rate),
+                   fmt::format("must not be given for {}: it has times or a rate of its own", file),
+                   "Leave it out.");
 }
 
 FormatError no_sampling_rate(const WithoutAxis& place, std::string_view remedy) {

@@ -117,9 +117,9 @@ void add_channel(std::vector<Recording>& recordings, const std::string& source, 
 /// check_recording() for what was read; its errors start with `place`, which names the file.
 void check_read(const Recording& recording, const std::string& place);
 
-/// check_read() after channels without a value at some point have been left out, with a warning
-/// each.
-void check_foreign(Recording& recording, const std::string& place, std::vector<Warning>& warnings);
+/// check_read() of all recordings, after channels without a value at some point have been left out,
+/// with a warning each, and beside others recordings that have no other channels.
+void check_foreign(Recordings& read, const std::string& place);
 
 /// For WithoutAxis::found: points in a unit that is not known.
 [[nodiscard]] std::string points_of_unknown_unit(std::string_view name, std::string_view unit);
@@ -137,22 +137,20 @@ void warn_without_rate(std::span<const WithoutAxis> places, std::vector<Warning>
 /// there are places without axis, and none contradicts a time.
 [[nodiscard]] bool may_be_untimed(std::span<const WithoutAxis> places);
 
-/// Warning on points that were.
-[[nodiscard]] Warning points_untimed(std::string_view place);
-
 /// @throws InputError  where a rate, Hz, is not above 0 and finite.
 void check_rate(double rate);
 
 /// The step of points that nothing places, s: by the rate that is stated, else 1.
 [[nodiscard]] double untimed_step(const RecordingReadOptions& options);
 
-/// points_untimed() of a reader that took untimed_step(), for a file some of whose recordings may
-/// have times: where a rate is stated it tells set_rate() that nothing is left to do.
-[[nodiscard]] Warning points_placed(const RecordingReadOptions& options, std::string_view place);
+/// To be called where points took untimed_step(): notes that the rate was used, or warns once that
+/// they are 1 s apart.
+void note_untimed(const RecordingReadOptions& options, std::string_view place,
+                  Recordings& recordings);
 
-/// Gives points that were taken to be 1 s apart the rate that is stated, in place of the warning.
-/// @param rate  Hz. @throws InputError  naming `file`, where it has times or a rate of its own.
-void set_rate(double rate, std::string_view file, Recordings& recordings);
+/// @param rate  that was stated, Hz.
+/// @throws InputError  naming `file`, where no points took it: it has times or a rate of its own.
+void require_rate_used(double rate, std::string_view file, const Recordings& recordings);
 
 /// The error where there is nothing else. @param remedy  what to add.
 [[nodiscard]] FormatError no_sampling_rate(const WithoutAxis& place, std::string_view remedy);

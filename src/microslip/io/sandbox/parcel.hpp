@@ -163,6 +163,9 @@ template <class Parcel>
 void pass(Parcel& parcel, Recordings& recordings) {
   pass(parcel, recordings.recordings);
   pass(parcel, recordings.warnings);
+  char rate_used = recordings.rate_used ? 1 : 0;
+  pass(parcel, rate_used);
+  recordings.rate_used = rate_used != 0;
 }
 
 template <class Parcel>
