@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -336,6 +338,25 @@ TEST_F(Hdf5NetCdf, LeavesOutChannelsWithMissingValues) {
                 fmt::format("{}", double{kFill}) + " is the fill value of the dataset");
 }
 
+// netcdf.h 4.9: NC_FILL_DOUBLE, NC_FILL_FLOAT, NC_FILL_SHORT; of bytes there is none. A file that
+// was made with NC_NOFILL and copied has them without an attribute.
+TEST_F(Hdf5NetCdf, KnowsTheFillValuesOfNetCdf) {
+  for (const bool netcdf : {true, false}) {
+    {
+      OtherFile file(path_);
+      if (netcdf) file.text("/", "_NCProperties", "version=2,netcdf=4.9.0");
+      file.number("/", "fs", 8.0);
+      file.dataset<double>("double", H5T_NATIVE_DOUBLE, {3}, {1, 9.9692099683868690e+36, 2});
+      file.dataset<float>("float", H5T_NATIVE_FLOAT, {3}, {1, 9.96921e36F, 2});
+      file.dataset<short>("short", H5T_NATIVE_SHORT, {3}, {1, -32767, 2});
+      file.dataset<signed char>("byte", H5T_NATIVE_SCHAR, {3}, {1, -127, 2});
+      file.dataset<short>("own", H5T_NATIVE_SHORT, {3}, {1, -32767, 2});
+      file.number("own", "_FillValue", 5.0);
+    }
+    EXPECT_EQ(read().recordings.at(0).channels.size(), netcdf ? 2U : 5U);
+  }
+}
+
 TEST_F(Hdf5NetCdf, RefusesValuesOfWhichNoneIsWhole) {
   {
     OtherFile file(path_);
@@ -522,6 +543,134 @@ TEST_F(Hdf5NetCdf, TakesTimesBesideATable) {
     H5Tclose(type);
   }
   EXPECT_EQ(read().recordings.at(0).sampling_rate(), 2.0);
+}
+
+// PyTables 3: Time64Col has seconds and microseconds in a word of eight bytes (typeconv.c,
+// conv_float64_timeval32), Time32Col whole seconds.
+TEST_F(Hdf5NetCdf, TakesTheTimesOfPyTables) {
+  struct Row {
+    std::int64_t time;
+    double force;
+    std::int32_t second;
+  };
+  const auto pair = [](std::int64_t seconds, std::int64_t microseconds) {
+    return (seconds << 32) | microseconds;
+  };
+  for (const bool pairs : {true, false}) {
+    {
+      OtherFile file(path_);
+      const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+      H5Tinsert(type, pairs ? "time" : "other", HOFFSET(Row, time), H5T_UNIX_D64LE);
+      H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
+      H5Tinsert(type, pairs ? "other" : "time", HOFFSET(Row, second), H5T_UNIX_D32LE);
+      constexpr std::int64_t kStart = 1704067200;  // 2024
+      file.dataset<Row>("data", type, {3},
+                        {{pair(kStart, 999'000), 1.0, 1704067200},
+                         {pair(kStart + 1, 0), 2.0, 1704067202},
+                         {pair(kStart + 1, 1'000), 3.0, 1704067204}});
+      H5Tclose(type);
+    }
+    const Recordings all = read();
+    EXPECT_EQ(all.recordings.at(0).axis.start, 0.0);
+    EXPECT_NEAR(all.recordings.at(0).axis.step, pairs ? 1e-3 : 2.0, 1e-15);
+    EXPECT_EQ(all.recordings.at(0).channel("force").values, (std::vector{1.0, 2.0, 3.0}));
+    EXPECT_EQ(all.recordings.at(0).channel("other").dimension, kTime);
+    EXPECT_TRUE(all.warnings.empty());
+  }
+}
+
+// h5py has no type of dates: users write numpy.datetime64 as int64.
+TEST_F(Hdf5NetCdf, TakesWholeNumbersSince1970) {
+  constexpr std::int64_t kNanoseconds = 1704067200000000123;
+  const auto of_table = [&](std::int64_t first, std::int64_t step, const char* unit) {
+    struct Row {
+      std::int64_t time;
+      double force;
+    };
+    OtherFile file(path_);
+    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+    H5Tinsert(type, "time", HOFFSET(Row, time), H5T_NATIVE_INT64);
+    H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
+    file.dataset<Row>("data", type, {3},
+                      {{first, 1.0}, {first + step, 2.0}, {first + 2 * step, 3.0}});
+    if (unit != nullptr) file.text("data", "time_unit", unit);
+    H5Tclose(type);
+  };
+  const auto of_dataset = [&](std::int64_t first, std::int64_t step, const char* unit) {
+    OtherFile file(path_);
+    file.dataset<std::int64_t>("time", H5T_NATIVE_INT64, {3},
+                               {first, first + step, first + 2 * step});
+    if (unit != nullptr) file.text("time", "units", unit);
+    file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+  };
+  const auto expect = [&](double step, std::size_t warnings) {
+    const Recordings all = read();
+    EXPECT_NEAR(all.recordings.at(0).axis.step, step, 1e-12 * step);
+    ASSERT_EQ(all.warnings.size(), warnings);
+    if (warnings > 0) {
+      EXPECT_EQ(all.warnings[0].code, "times_since_1970");
+    }
+  };
+  for (const bool table : {true, false}) {
+    const auto write = [&](std::int64_t first, std::int64_t step, const char* unit) {
+      table ? of_table(first, step, unit) : of_dataset(first, step, unit);
+    };
+    write(kNanoseconds, 19531, nullptr);  // 51.2 kHz; doubles are 256 ns apart there
+    expect(19531e-9, 1);
+    write(kNanoseconds / 1000, 500, nullptr);
+    expect(500e-6, 1);
+    write(kNanoseconds / 1'000'000, 1, nullptr);
+    expect(1e-3, 1);
+    write(kNanoseconds, 19531, "ns");
+    expect(19531e-9, 0);
+    write(1704067200, 1, nullptr);
+    expect(1.0, 0);
+    write(0, 2, nullptr);
+    expect(2.0, 0);
+  }
+}
+
+TEST_F(Hdf5NetCdf, TakesAFieldInAUnitOfTimeForTheAxis) {
+  {
+    OtherFile file(path_);
+    const hid_t type = table_type("elapsed [ms]");
+    file.dataset<TableRow>("data", type, {3}, kRows);
+    H5Tclose(type);
+  }
+  EXPECT_NEAR(read().recordings.at(0).axis.step, 0.5e-3, 1e-18);
+  EXPECT_EQ(read().recordings.at(0).channels.size(), 3U);
+  {
+    OtherFile file(path_);
+    const hid_t type = table_type("delay [ms]");
+    file.dataset<TableRow>("data", type, {3}, {kRows[0], kRows[2], kRows[1]});
+    file.number("data", "fs", 8.0);
+    H5Tclose(type);
+  }
+  EXPECT_EQ(read().recordings.at(0).channels.size(), 4U) << "it does not rise";
+}
+
+TEST_F(Hdf5NetCdf, NamesWhyATableIsNoRecording) {
+  const auto fault = [&](std::vector<hsize_t> sizes, bool numbers) {
+    {
+      OtherFile file(path_);
+      file.number("/", "fs", 8.0);
+      const hid_t text = H5Tcopy(H5T_C_S1);
+      H5Tset_size(text, 8);
+      const hid_t type = H5Tcreate(H5T_COMPOUND, 8);
+      H5Tinsert(type, "time", 0, numbers ? H5T_NATIVE_DOUBLE : text);
+      file.dataset<double>("data", type, sizes, {0.0, 1.0, 2.0, 3.0});
+      H5Tclose(type);
+      H5Tclose(text);
+    }
+    const std::string text = message();
+    return text.substr(std::min(text.find("a.nc"), text.size()));
+  };
+  const std::string expected = "a.nc:/data: expected a dataset or a table of numbers, found ";
+  const std::string remedy = ". Store each column as a dataset of its own; pandas: to_csv.";
+  EXPECT_EQ(fault({4}, false), expected + "a table of which no field has real numbers" + remedy);
+  EXPECT_EQ(fault({4}, true), expected + "a table of times alone" + remedy);
+  EXPECT_EQ(fault({1}, true), expected + "a table of one row" + remedy);
+  EXPECT_EQ(fault({2, 2}, true), expected + "a table of 2 dimensions" + remedy);
 }
 
 TEST_F(Hdf5NetCdf, NamesTablesWithoutTimes) {

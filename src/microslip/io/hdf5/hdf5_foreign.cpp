@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/hdf5/hdf5_dates.hpp"
 #include "microslip/io/hdf5/hdf5_handle.hpp"
 #include "microslip/io/hdf5/hdf5_packing.hpp"
 #include "microslip/io/hdf5/hdf5_scales.hpp"
@@ -270,17 +272,23 @@ class ForeignReader {
   void read_table(const Dataset& dataset, const Sampling& sampling,
                   const std::optional<AxisBeside>& beside, const std::string& inside) {
     const std::string& place = dataset.place;
-    if (hdf5_sizes(dataset.handle.id()).size() != 1) {
-      tables_.push_back(place);
+    const std::vector<hsize_t> sizes = hdf5_sizes(dataset.handle.id());
+    if (sizes.size() != 1 || sizes[0] < 2) {
+      tables_.emplace_back(
+          place, sizes.size() == 1
+                     ? std::string(sizes[0] == 0 ? "an empty table" : "a table of one row")
+                     : fmt::format("a table of {} dimensions", sizes.size()));
       return;
     }
     Hdf5Table table = read_hdf5_table(dataset.handle.id(), place);
     std::ranges::copy(table.warnings, std::back_inserter(result_.warnings));
-    const std::optional<Axis> axis = axis_of_table(table, dataset, sampling, beside);
-    if (!axis || table.fields.empty()) {
-      tables_.push_back(place);
+    if (table.fields.empty()) {
+      tables_.emplace_back(place, "a table of which no field has real numbers");
       return;
     }
+    const std::optional<Axis> axis = axis_of_table(table, dataset, sampling, beside);
+    if (axis && table.fields.empty()) tables_.emplace_back(place, "a table of times alone");
+    if (!axis || table.fields.empty()) return;
     GroupRead group{fmt::format("{}:{}/{}", file_name(path_), inside, printable(dataset.name))};
     for (Hdf5Field& field : table.fields) {
       Channel channel;
@@ -299,24 +307,12 @@ class ForeignReader {
   std::optional<Axis> axis_of_table(Hdf5Table& table, const Dataset& dataset, const Sampling& known,
                                     const std::optional<AxisBeside>& beside) {
     const Sampling sampling = sampling_of(dataset.handle.id(), known, dataset.place);
-    const auto take = [&](const char* name,
-                          const Dimension& usual) -> std::optional<PointsOrFault> {
-      const auto found = std::ranges::find_if(table.fields, [&](const Hdf5Field& field) {
-        return field.name == name && may_be_unit_of_points(field.unit, usual) &&
-               may_be_points(field.name, field.values);
-      });
-      if (found == table.fields.end()) return std::nullopt;
+    std::optional<PointsOrFault> read;
+    if (const auto [found, usual] = points_of_table(table); found != table.fields.end()) {
       Hdf5Field field = std::move(*found);
       table.fields.erase(found);
-      return read_points(std::move(field.values), field.unit, usual, field.name, dataset.place,
+      read = read_points(std::move(field.values), field.unit, usual, field.name, dataset.place,
                          sampling);
-    };
-    std::optional<PointsOrFault> read;
-    for (const char* name : kTimeNames) {
-      if (!read) read = take(name, kTime);
-    }
-    for (const char* name : kFrequencyNames) {
-      if (!read) read = take(name, kFrequency);
     }
     if (!read && beside && beside->read.points.points == hdf5_sizes(dataset.handle.id())[0]) {
       read = beside->read;
@@ -327,6 +323,38 @@ class ForeignReader {
     }
     without_axis_.push_back({dataset.place, read ? read->fault : std::string()});
     return std::nullopt;
+  }
+
+  /// The field of the points and what they usually are: a time by its name, else one that rises in
+  /// a unit of time, else a frequency by its name; the end where there is none.
+  static std::pair<std::vector<Hdf5Field>::iterator, Dimension> points_of_table(Hdf5Table& table) {
+    const auto named = [&](const auto& names, const Dimension& usual) {
+      auto found = table.fields.end();
+      for (const char* name : names) {
+        if (found != table.fields.end()) break;
+        found = std::ranges::find_if(table.fields, [&](const Hdf5Field& field) {
+          return field.name == name && may_be_unit_of_points(field.unit, usual) &&
+                 may_be_points(field.name, field.values);
+        });
+      }
+      return found;
+    };
+    if (const auto found = named(kTimeNames, kTime); found != table.fields.end()) {
+      return {found, kTime};
+    }
+    const auto rising = std::ranges::min_element(table.fields, {}, rank_as_times);
+    if (rank_as_times(*rising) <= AxisRank::kLongTime) return {rising, kTime};
+    return {named(kFrequencyNames, kFrequency), kFrequency};
+  }
+
+  /// Doubtful where a field is no time by its unit, or does not rise.
+  static AxisRank rank_as_times(const Hdf5Field& field) {
+    const std::optional<Unit> unit = find_unit_of_points(field.unit);
+    const bool rises =
+        std::ranges::adjacent_find(field.values, std::not_fn(std::less<>())) == field.values.end();
+    const bool is_time = rises && unit && !trimmed(field.unit).empty() && unit->dimension == kTime;
+    return is_time ? rank_as_axis(field.name, *unit).value_or(AxisRank::kDoubtful)
+                   : AxisRank::kDoubtful;
   }
 
   /// Scales that are the axis of no dataset are channels: a force may be over a displacement.
@@ -356,6 +384,19 @@ class ForeignReader {
     return values;
   }
 
+  /// Times that a dataset gives; whole numbers may find its unit.
+  [[nodiscard]] std::vector<double> read_times(hid_t dataset, const std::string& place,
+                                               std::string& unit) {
+    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+    if (!is_large_integer(type.id()) || H5Aexists(dataset, "scale_factor") > 0) {
+      return read_values(dataset, place);
+    }
+    WholeTimes times = whole_times(read_hdf5_integers(dataset, place), unit, place);
+    if (times.warning) result_.warnings.push_back(*std::move(times.warning));
+    unit = std::move(times.unit);
+    return std::move(times.values);
+  }
+
   /// Points that a dataset gives. Those of an unknown unit are no fault of what is over others.
   PointsOrFault read_points(std::vector<double> points, const std::string& unit,
                             const Dimension& usual, const std::string& name,
@@ -376,12 +417,14 @@ class ForeignReader {
   std::optional<AxisBeside> read_axis(std::vector<Dataset>& datasets, const Sampling& sampling) {
     const auto take = [&](const char* name, const Dimension& usual) -> std::optional<AxisBeside> {
       std::vector<double> points;
+      std::string unit;
       const auto found = std::ranges::find_if(datasets, [&](const Dataset& d) {
         if (d.name != name || d.sides.size() != 1) return false;
         if (hdf5_content(d.handle.id()) != Hdf5Content::kReal) return false;
-        if (!may_be_unit_of_points(text_of(d.handle.id(), kUnitNames, d.place), usual))
-          return false;
-        points = read_values(d.handle.id(), d.place);
+        unit = text_of(d.handle.id(), kUnitNames, d.place);
+        if (!may_be_unit_of_points(unit, usual)) return false;
+        points = usual == kTime ? read_times(d.handle.id(), d.place, unit)
+                                : read_values(d.handle.id(), d.place);
         return may_be_points(d.name, points);
       });
       if (found == datasets.end()) return std::nullopt;
@@ -390,8 +433,8 @@ class ForeignReader {
       const hid_t id = dataset.handle.id();
       AxisBeside axis{{}, dataset.name, addresses_of(dataset.sides[0].scales)};
       if (is_hdf5_scale(id, dataset.place)) axis.scales.push_back(hdf5_address(id));
-      axis.read = read_points(std::move(points), text_of(id, kUnitNames, dataset.place), usual,
-                              dataset.name, dataset.place, sampling);
+      axis.read =
+          read_points(std::move(points), unit, usual, dataset.name, dataset.place, sampling);
       return axis;
     };
     for (const char* name : kTimeNames) {
@@ -418,12 +461,14 @@ class ForeignReader {
     const std::string inside = fmt::format("{}:{}", path_, printable(path));
     const bool numbers = hdf5_content(id) == Hdf5Content::kReal && hdf5_sizes(id).size() == 1;
     if (!numbers || is_bare_dimension(id, place)) return std::nullopt;
-    const std::string unit = text_of(id, kUnitNames, inside);
+    std::string unit = text_of(id, kUnitNames, inside);
     const std::string name = file_name(path);
     const std::optional<Dimension> dimension = dimension_of_scale(name, unit);
     if (!dimension) return std::nullopt;
     const Unit known = find_unit_of_points(unit).value_or(Unit{.dimension = *dimension});
-    return ScaleAxis{read_points(read_values(id, inside), unit, *dimension, name, inside, sampling),
+    std::vector<double> points =
+        *dimension == kTime ? read_times(id, inside, unit) : read_values(id, inside);
+    return ScaleAxis{read_points(std::move(points), unit, *dimension, name, inside, sampling),
                      rank_as_axis(name, known).value_or(AxisRank::kFrequencyUnit)};
   }
 
@@ -639,8 +684,8 @@ class ForeignReader {
                     "the file, or a dataset 'time' [s] next to it.");
     }
     if (!tables_.empty()) {
-      throw FormatError({.file = tables_.front()}, "a dataset or a table of numbers",
-                        "a table whose fields are none, or of several dimensions",
+      const auto& [place, found] = tables_.front();
+      throw FormatError({.file = place}, "a dataset or a table of numbers", found,
                         "Store each column as a dataset of its own; pandas: to_csv.");
     }
     throw FormatError({.file = path_}, "a dataset of two numbers or more", "none");
@@ -659,7 +704,8 @@ class ForeignReader {
   bool pandas_ = false;
   std::optional<InputError> axis_fault_;  ///< the first unit of points that is not known
   std::vector<WithoutAxis> without_axis_;
-  std::vector<std::string> tables_;  ///< places of datasets with named fields
+  /// Places of datasets with named fields that are no recording, and what they are.
+  std::vector<std::pair<std::string, std::string>> tables_;
 };
 
 }  // namespace

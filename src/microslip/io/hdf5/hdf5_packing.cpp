@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -30,6 +31,21 @@ std::optional<double> fill_value_of(hid_t dataset) {
                        H5Pget_fill_value(properties.id(), H5T_NATIVE_DOUBLE, &value) >= 0;
   H5Eclear2(H5E_DEFAULT);
   return defined && value != 0.0 ? std::optional(value) : std::nullopt;
+}
+
+/// What the library of netCDF puts where nothing was written: NC_FILL_… of its netcdf.h; bytes have
+/// none.
+std::optional<double> fill_value_of_netcdf(hid_t type) {
+  if (H5Tget_class(type) == H5T_FLOAT) return 9.9692099683868690e+36;
+  if (H5Tget_class(type) != H5T_INTEGER || H5Tget_sign(type) == H5T_SGN_NONE) return std::nullopt;
+  switch (H5Tget_size(type)) {
+    case sizeof(std::int16_t):
+      return -32767.0;
+    case sizeof(std::int32_t):
+      return -2147483647.0;
+    default:
+      return std::nullopt;
+  }
 }
 
 H5T_class_t class_of(const Hdf5Handle& type) {
@@ -85,7 +101,8 @@ std::string reason_of_missing(const Hdf5Packing& packing, double stored, double 
 
 Hdf5Packing hdf5_packing(hid_t dataset, const std::string& place, bool netcdf) {
   Hdf5Packing packing;
-  const bool integers = class_of(Hdf5Handle(H5Dget_type(dataset), H5Tclose)) == H5T_INTEGER;
+  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+  const bool integers = class_of(type) == H5T_INTEGER;
   packing.applies = integers || netcdf || H5Aexists(dataset, "DIMENSION_LIST") > 0 ||
                     is_hdf5_scale(dataset, place);
   if (packing.applies) {
@@ -103,6 +120,9 @@ Hdf5Packing hdf5_packing(hid_t dataset, const std::string& place, bool netcdf) {
   }
   if (const auto fill = fill_value_of(dataset)) {
     packing.missing.push_back({*fill, "fill value of the dataset"});
+  } else if (const auto usual = fill_value_of_netcdf(type.id());
+             usual && netcdf && H5Aexists(dataset, "_FillValue") <= 0) {
+    packing.missing.push_back({*usual, "fill value of netCDF"});
   }
   for (const char* name : kMissingNames) {
     for (const double value : hdf5_numbers(dataset, name, place)) {

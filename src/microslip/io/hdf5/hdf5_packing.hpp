@@ -34,10 +34,10 @@ struct Hdf5Packing {
 
 /// By the attributes scale_factor, add_offset, _FillValue, missing_value, valid_min, valid_max and
 /// valid_range, and by the fill value of the dataset itself where it is other than 0: HDF5 puts it
-/// where nothing was written. A range of floating-point numbers beside packed integers is one of
-/// values (NetCDF Users Guide, valid_range). Where floating-point numbers of a file that is not
-/// netCDF have a scale_factor, an add_offset or a range, these may be those of a sensor: they do
-/// not apply.
+/// where nothing was written; without one or a _FillValue, by that of netCDF in its files. A range
+/// of floating-point numbers beside packed integers is one of values (NetCDF Users Guide,
+/// valid_range). Where floating-point numbers of a file that is not netCDF have a scale_factor, an
+/// add_offset or a range, these may be those of a sensor: they do not apply.
 /// @param netcdf  whether the file is known to be one of netCDF; a dataset with scales is one.
 [[nodiscard]] Hdf5Packing hdf5_packing(hid_t dataset, const std::string& place, bool netcdf);
 

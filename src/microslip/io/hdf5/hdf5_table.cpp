@@ -12,9 +12,12 @@
 #include <utility>
 
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/cells/csv_cells.hpp"
+#include "microslip/io/hdf5/hdf5_dates.hpp"
 #include "microslip/io/hdf5/hdf5_handle.hpp"
 #include "microslip/io/hdf5/hdf5_values.hpp"
+#include "microslip/io/recordings/sampling.hpp"
 
 namespace microslip {
 namespace {
@@ -28,11 +31,6 @@ Hdf5Handle member_type(hid_t type, unsigned index) {
   return {H5Tget_member_type(type, index), H5Tclose};
 }
 
-bool is_real(hid_t type) {
-  const H5T_class_t kind = H5Tget_class(type);
-  return kind == H5T_FLOAT || kind == H5T_INTEGER;
-}
-
 /// The length of a list of one dimension; 1 of a single value, 0 of more dimensions.
 hsize_t width_of(hid_t type) {
   if (H5Tget_class(type) != H5T_ARRAY) return 1;
@@ -42,26 +40,33 @@ hsize_t width_of(hid_t type) {
   return size;
 }
 
+/// How the numbers of a member are stored.
+enum class Stored {
+  kOther,        ///< none, or none that are read
+  kNumbers,      ///< real numbers
+  kWholeTimes,   ///< whole numbers of eight bytes, called time
+  kNanoseconds,  ///< whole ones, as pandas writes dates
+  kSeconds,      ///< whole ones, as PyTables writes Time32Col
+  kPairs,        ///< seconds in the upper 32 bits, microseconds in the lower: its Time64Col
+};
+
 /// A member of the type of a row.
 struct Member {
   std::string name;
   bool is_list = false;
-  hsize_t width = 1;       ///< of the list
-  bool is_number = false;  ///< real numbers
-  bool is_date = false;    ///< whole nanoseconds, as pandas writes dates
+  hsize_t width = 1;  ///< of the list
+  Stored stored = Stored::kOther;
+  std::string reason = {};  ///< why it is left out
+
+  [[nodiscard]] bool is_read() const { return stored != Stored::kOther; }
+  [[nodiscard]] bool is_date() const { return stored > Stored::kWholeTimes; }
 };
 
-Member member_of(hid_t row, unsigned index) {
-  char* name = H5Tget_member_name(row, index);
-  Member member{.name = name == nullptr ? "" : name};
-  H5free_memory(name);
-  const Hdf5Handle type = member_type(row, index);
-  member.is_list = H5Tget_class(type.id()) == H5T_ARRAY;
-  member.width = width_of(type.id());
-  member.is_number = member.is_list ? is_real(Hdf5Handle(H5Tget_super(type.id()), H5Tclose).id())
-                                    : is_real(type.id());
-  member.is_number = member.is_number && member.width >= 1 && member.width <= kWidestField;
-  return member;
+/// HDF5 has types of times, which it does not convert.
+Stored stored_time(hid_t type) {
+  if (H5Tequal(type, H5T_UNIX_D32LE) > 0) return Stored::kSeconds;
+  if (H5Tequal(type, H5T_UNIX_D64LE) > 0) return Stored::kPairs;
+  return Stored::kOther;
 }
 
 /// pandas names the type of a column in the attribute NAME_dtype.
@@ -70,16 +75,63 @@ bool is_date(hid_t dataset, const std::string& name, const std::string& place) {
   return type.starts_with("datetime64") || type.starts_with("timedelta64");
 }
 
+Stored stored_number(hid_t dataset, const std::string& name, hid_t type, const std::string& place) {
+  if (H5Tget_class(type) == H5T_TIME) return stored_time(type);
+  if (!is_hdf5_number(type)) return Stored::kOther;
+  if (is_date(dataset, name, place)) return Stored::kNanoseconds;
+  return is_large_integer(type) && is_one_of(name, kTimeNames) ? Stored::kWholeTimes
+                                                               : Stored::kNumbers;
+}
+
+/// Why a member is not read; empty where it is.
+std::string reason_of(const Member& member, bool has_numbers) {
+  if (!has_numbers) return "its values are no real numbers";
+  if (member.width == 0) return "it has lists of several dimensions";
+  if (member.width <= kWidestField) return {};
+  return fmt::format("it has lists of {} numbers, more than {}", member.width, kWidestField);
+}
+
+Member member_of(hid_t dataset, hid_t row, unsigned index, const std::string& place) {
+  char* name = H5Tget_member_name(row, index);
+  Member member{.name = name == nullptr ? "" : name};
+  H5free_memory(name);
+  const Hdf5Handle type = member_type(row, index);
+  member.is_list = H5Tget_class(type.id()) == H5T_ARRAY;
+  member.width = width_of(type.id());
+  if (member.is_list) {
+    const Hdf5Handle item(H5Tget_super(type.id()), H5Tclose);
+    if (is_hdf5_number(item.id())) member.stored = Stored::kNumbers;
+  } else {
+    member.stored = stored_number(dataset, member.name, type.id(), place);
+  }
+  member.reason = reason_of(member, member.is_read());
+  if (!member.reason.empty()) member.stored = Stored::kOther;
+  return member;
+}
+
 std::vector<Member> members_of(hid_t dataset, const std::string& place) {
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
   const int count = type.valid() ? H5Tget_nmembers(type.id()) : 0;
   std::vector<Member> members;
   for (int i = 0; i < count; ++i) {
-    members.push_back(member_of(type.id(), static_cast<unsigned>(i)));
-    Member& member = members.back();
-    member.is_date = member.is_number && !member.is_list && is_date(dataset, member.name, place);
+    members.push_back(member_of(dataset, type.id(), static_cast<unsigned>(i), place));
   }
   return members;
+}
+
+/// Of a number in memory: of eight bytes or, of seconds, four.
+hid_t number_type(Stored stored) {
+  switch (stored) {
+    case Stored::kWholeTimes:
+    case Stored::kNanoseconds:
+      return H5T_NATIVE_INT64;
+    case Stored::kSeconds:
+      return H5T_UNIX_D32LE;
+    case Stored::kPairs:
+      return H5T_UNIX_D64LE;
+    default:
+      return H5T_NATIVE_DOUBLE;
+  }
 }
 
 /// In memory a row has the numbers alone, doubles one after the other.
@@ -87,8 +139,8 @@ Hdf5Handle memory_type(const std::vector<Member>& members, std::size_t numbers) 
   Hdf5Handle row(H5Tcreate(H5T_COMPOUND, numbers * sizeof(double)), H5Tclose);
   std::size_t at = 0;
   for (const Member& member : members) {
-    if (!member.is_number) continue;
-    const hid_t number = member.is_date ? H5T_NATIVE_INT64 : H5T_NATIVE_DOUBLE;
+    if (!member.is_read()) continue;
+    const hid_t number = number_type(member.stored);
     if (member.is_list) {
       const Hdf5Handle list(H5Tarray_create2(number, 1, &member.width), H5Tclose);
       H5Tinsert(row.id(), member.name.c_str(), at, list.id());
@@ -115,7 +167,7 @@ void read_rows(hid_t dataset, hid_t type, hsize_t first, hsize_t count, double* 
 std::vector<std::vector<double>> read_numbers(hid_t dataset, const std::vector<Member>& members,
                                               std::size_t rows, const std::string& place) {
   std::size_t numbers = 0;
-  for (const Member& member : members) numbers += member.is_number ? member.width : 0;
+  for (const Member& member : members) numbers += member.is_read() ? member.width : 0;
   std::vector<std::vector<double>> columns(numbers, std::vector<double>(rows));
   if (numbers == 0) return columns;
   const Hdf5Handle type = memory_type(members, numbers);
@@ -131,24 +183,38 @@ std::vector<std::vector<double>> read_numbers(hid_t dataset, const std::vector<M
   return columns;
 }
 
-/// From the bits of whole nanoseconds to seconds from the first on: doubles do not hold dates.
-void make_seconds(std::vector<double>& dates) {
+std::int64_t bits_of(double number) { return std::bit_cast<std::int64_t>(number); }
+
+/// Whole nanoseconds of a date by the bits that were read.
+std::int64_t nanoseconds_of(Stored stored, std::int64_t bits) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  constexpr std::int64_t kMicrosecond = 1'000;
+  const auto lower = static_cast<std::int32_t>(bits);
+  if (stored == Stored::kSeconds) return kSecond * lower;
+  if (stored == Stored::kPairs) return kSecond * (bits >> 32) + kMicrosecond * lower;
+  return bits;
+}
+
+/// From dates to seconds from the first on: doubles do not hold dates.
+void make_seconds(Stored stored, std::vector<double>& dates) {
   constexpr double kNanosecond = 1e-9;
   if (dates.empty()) return;
-  const auto first = std::bit_cast<std::int64_t>(dates.front());
+  const std::int64_t first = nanoseconds_of(stored, bits_of(dates.front()));
   for (double& date : dates) {
-    date = kNanosecond * static_cast<double>(std::bit_cast<std::int64_t>(date) - first);
+    const std::int64_t nanoseconds = nanoseconds_of(stored, bits_of(date));
+    date = kNanosecond * static_cast<double>(difference(nanoseconds, first));
   }
 }
 
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', at), text.size());
-    parts.emplace_back(trimmed(std::string_view(text).substr(at, comma - at)));
-    at = comma + 1;
-  }
-  return parts;
+/// The field of whole numbers by the bits that were read.
+Hdf5Field field_of_whole_times(const std::string& name, const std::string& unit,
+                               const std::vector<double>& bits, const std::string& place,
+                               std::vector<Warning>& warnings) {
+  std::vector<std::int64_t> numbers(bits.size());
+  std::ranges::transform(bits, numbers.begin(), bits_of);
+  WholeTimes times = whole_times(numbers, unit, fmt::format("{}: {}", place, in_quotes(name)));
+  if (times.warning) warnings.push_back(*std::move(times.warning));
+  return {.name = name, .unit = std::move(times.unit), .values = std::move(times.values)};
 }
 
 /// Those of the attributes, one for each member; empty ones where there are none.
@@ -157,7 +223,11 @@ std::vector<std::string> units_of(hid_t dataset, const std::vector<Member>& memb
   std::vector<std::string> units(members.size());
   for (const char* name : {"units", "unit"}) {
     std::vector<std::string> given = hdf5_texts(dataset, name, place);
-    if (given.size() == 1) given = split_at_commas(given.front());
+    if (given.size() == 1) {
+      const std::string list = std::move(given.front());
+      const std::vector<std::string_view> cells = comma_cells(list);
+      given.assign(cells.begin(), cells.end());
+    }
     if (given.empty() || (given.size() == 1 && given.front().empty())) continue;
     if (given.size() == members.size()) {
       units = std::move(given);
@@ -204,18 +274,23 @@ Hdf5Table read_hdf5_table(hid_t dataset, const std::string& place) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Member& member = members[i];
-    if (!member.is_number) {
-      constexpr const char* kReason = "its values are no real numbers";
-      table.left_out.push_back({member.name, kReason});
-      table.warnings.push_back({"channel_left_out", fmt::format("{}: {}: left out, {}", place,
-                                                                in_quotes(member.name), kReason)});
+    if (!member.is_read()) {
+      table.left_out.push_back({member.name, member.reason});
+      table.warnings.push_back(
+          {"channel_left_out",
+           fmt::format("{}: {}: left out, {}", place, in_quotes(member.name), member.reason)});
       continue;
     }
     const std::string name = name_of(member, units[i], place, table.warnings);
+    if (member.stored == Stored::kWholeTimes) {
+      table.fields.push_back(
+          field_of_whole_times(name, units[i], columns[at++], place, table.warnings));
+      continue;
+    }
     for (std::size_t j = 0; j < member.width; ++j, ++at) {
-      if (member.is_date) make_seconds(columns[at]);
+      if (member.is_date()) make_seconds(member.stored, columns[at]);
       table.fields.push_back({.name = member.is_list ? fmt::format("{}_{}", name, j + 1) : name,
-                              .unit = member.is_date ? "s" : units[i],
+                              .unit = member.is_date() ? "s" : units[i],
                               .values = std::move(columns[at])});
     }
   }

@@ -27,7 +27,8 @@ struct Hdf5Table {
 
 /// A unit is the text of the attribute `NAME_unit` or `NAME_units`, that of `units` where this has
 /// one for each field, or in brackets behind the name of the field, as in tables of text. Dates of
-/// pandas are seconds from the first on.
+/// pandas and times of PyTables are seconds from the first on; whole numbers called time, as
+/// whole_times().
 /// @param place  of the dataset, for messages.
 /// @throws FormatError  where the file holds fewer rows than the dataset claims, or they are
 ///     damaged.

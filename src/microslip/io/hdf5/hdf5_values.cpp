@@ -23,11 +23,6 @@ constexpr hsize_t kLargestHdf5Inflation = 1040;
 
 Hdf5Handle type_of(hid_t dataset) { return {H5Dget_type(dataset), H5Tclose}; }
 
-bool is_number(hid_t type) {
-  const H5T_class_t kind = H5Tget_class(type);
-  return kind == H5T_FLOAT || kind == H5T_INTEGER;
-}
-
 /// The member of a compound as the only one of a type in memory: values come one after the other.
 Hdf5Handle part_type(hid_t type, unsigned index) {
   char* name = H5Tget_member_name(type, index);
@@ -41,14 +36,15 @@ bool is_complex(hid_t type) {
   if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return false;
   for (const auto& [first, second] : {std::pair{"r", "i"}, std::pair{"real", "imag"}}) {
     if (H5Tget_member_index(type, first) == 0 && H5Tget_member_index(type, second) == 1) {
-      return is_number(Hdf5Handle(H5Tget_member_type(type, 0), H5Tclose).id()) &&
-             is_number(Hdf5Handle(H5Tget_member_type(type, 1), H5Tclose).id());
+      return is_hdf5_number(Hdf5Handle(H5Tget_member_type(type, 0), H5Tclose).id()) &&
+             is_hdf5_number(Hdf5Handle(H5Tget_member_type(type, 1), H5Tclose).id());
     }
   }
   return false;
 }
 
-void read_all(hid_t dataset, hid_t type, std::vector<double>& values, const std::string& place) {
+template <class Number>
+void read_all(hid_t dataset, hid_t type, std::vector<Number>& values, const std::string& place) {
   values.resize(check_hdf5_storage(dataset, place));
   if (values.empty()) return;
   if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
@@ -149,7 +145,7 @@ AttributeValue read_attribute(hid_t object, const char* name, const std::string&
   if (H5Tget_class(open.type.id()) == H5T_STRING) {
     value.text = read_text(open.id(), open.type.id());
     if (!value.text) fail_hdf5(place, fmt::format("the text {}", in_quotes(name)));
-  } else if (is_number(open.type.id())) {
+  } else if (is_hdf5_number(open.type.id())) {
     double number = 0.0;
     if (H5Aread(open.id(), H5T_NATIVE_DOUBLE, &number) < 0) {
       fail_hdf5(place, fmt::format("the number {}", in_quotes(name)));
@@ -172,6 +168,11 @@ herr_t add_name(hid_t, const char* name, const H5A_info_t*, void* to) {
 
 }  // namespace
 
+bool is_hdf5_number(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  return kind == H5T_FLOAT || kind == H5T_INTEGER;
+}
+
 std::vector<hsize_t> hdf5_sizes(hid_t dataset) {
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   const int rank = space.valid() ? H5Sget_simple_extent_ndims(space.id()) : 0;
@@ -183,7 +184,7 @@ std::vector<hsize_t> hdf5_sizes(hid_t dataset) {
 Hdf5Content hdf5_content(hid_t dataset) {
   const Hdf5Handle type = type_of(dataset);
   if (!type.valid()) return Hdf5Content::kOther;
-  if (is_number(type.id())) return Hdf5Content::kReal;
+  if (is_hdf5_number(type.id())) return Hdf5Content::kReal;
   if (is_complex(type.id())) return Hdf5Content::kComplex;
   if (H5Tequal(type.id(), H5T_STD_REF_OBJ) > 0) return Hdf5Content::kReferences;
   return H5Tget_class(type.id()) == H5T_COMPOUND ? Hdf5Content::kTable : Hdf5Content::kOther;
@@ -222,6 +223,12 @@ std::size_t check_hdf5_storage(hid_t dataset, const std::string& place) {
 
 void read_hdf5_real(hid_t dataset, std::vector<double>& values, const std::string& place) {
   read_all(dataset, H5T_NATIVE_DOUBLE, values, place);
+}
+
+std::vector<std::int64_t> read_hdf5_integers(hid_t dataset, const std::string& place) {
+  std::vector<std::int64_t> values;
+  read_all(dataset, H5T_NATIVE_INT64, values, place);
+  return values;
 }
 
 void read_hdf5_complex(hid_t dataset, std::vector<double>& real, std::vector<double>& imaginary,
@@ -366,7 +373,8 @@ std::vector<double> hdf5_numbers(hid_t object, const char* name, const std::stri
   constexpr hssize_t kMost = 4096;
   if (!has_attribute(object, name, place)) return {};
   const OpenAttribute open = open_attribute(object, name, place);
-  if (!open.type.valid() || !is_number(open.type.id()) || open.count < 1 || open.count > kMost) {
+  if (!open.type.valid() || !is_hdf5_number(open.type.id()) || open.count < 1 ||
+      open.count > kMost) {
     return {};
   }
   std::vector<double> numbers(static_cast<std::size_t>(open.count));

@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,9 @@
 /// Numbers and attributes of HDF5 files. Each `place` is that of the object, for messages.
 
 namespace microslip {
+
+/// Whether a type is one of real numbers.
+[[nodiscard]] bool is_hdf5_number(hid_t type);
 
 /// The length along each dimension; empty for a single value and where there is none.
 [[nodiscard]] std::vector<hsize_t> hdf5_sizes(hid_t dataset);
@@ -31,6 +35,8 @@ enum class Hdf5Content { kReal, kComplex, kReferences, kTable, kOther };
 /// All values of a dataset, row by row, straight into the vector.
 /// @throws FormatError  where the file holds fewer than the dataset claims, or they are damaged.
 void read_hdf5_real(hid_t dataset, std::vector<double>& values, const std::string& place);
+/// The same of whole numbers of eight bytes.
+[[nodiscard]] std::vector<std::int64_t> read_hdf5_integers(hid_t dataset, const std::string& place);
 void read_hdf5_complex(hid_t dataset, std::vector<double>& real, std::vector<double>& imaginary,
                        const std::string& place);
 
