@@ -644,6 +644,44 @@ TEST_F(Wav, HasIntegersOfEverySizeAndFloats) {
   EXPECT_EQ(first(wav(3, 1, 8, values<double>({-1.0, 0.5}))), expected);
 }
 
+// RIFX has the most significant byte first ("Multimedia Programming Interface", 1991); BW64 is RF64
+// by another name (ITU-R BS.2088).
+TEST_F(Wav, HasTheOtherByteOrderAndSizesOf64Bits) {
+  const auto rifx = [](std::uint16_t code, std::uint16_t bytes, const std::string& samples) {
+    const Bytes format = Bytes(true)
+                             .add(code)
+                             .add(std::uint16_t{1})
+                             .u32(1000)
+                             .u32(1000U * bytes)
+                             .add(bytes)
+                             .add(static_cast<std::uint16_t>(8 * bytes));
+    const std::string inner = "WAVEfmt " + Bytes(true).text(format.str()).str() + "data" +
+                              Bytes(true).text(samples).str();
+    return "RIFX" + Bytes(true).text(inner).str();
+  };
+  const auto first = [&](const std::string& bytes) {
+    const Recordings read = this->read(bytes);
+    EXPECT_TRUE(read.warnings.empty());
+    return read.recordings.at(0).channels.at(0).values;
+  };
+  const std::vector<double> expected{-1.0, 0.5};
+  EXPECT_EQ(first(rifx(1, 2, values<std::int16_t>({INT16_MIN, 1 << 14}, true))), expected);
+  EXPECT_EQ(first(rifx(1, 3, std::string("\x80\0\0\x40\0\0", 6))), expected);
+  EXPECT_EQ(first(rifx(3, 4, values<float>({-1.0F, 0.5F}, true))), expected);
+  EXPECT_EQ(first(rifx(3, 8, values<double>({-1.0, 0.5}, true))), expected);
+  const std::string samples = values<std::int16_t>({INT16_MIN, 1 << 14});
+  const std::string sizes = Bytes()
+                                .add(std::uint64_t{0})
+                                .add(std::uint64_t{samples.size()})
+                                .add(std::uint64_t{2})
+                                .u32(0)
+                                .str();
+  std::string wide = riff({}, "data" + Bytes().u32(0xFFFFFFFF).raw(samples).str());
+  wide.replace(0, 12,
+               "BW64" + Bytes().u32(0xFFFFFFFF).str() + "WAVEds64" + Bytes().text(sizes).str());
+  EXPECT_EQ(first(wide), expected);
+}
+
 TEST_F(Wav, NamesOtherSamplesAndTheEnd) {
   EXPECT_NE(message(wav(7, 1, 1, "ab")).find("sox"), std::string::npos) << "µ-law";
   std::string cut = wav(1, 1, 2, values<std::int16_t>({1, 2, 3}));

@@ -77,10 +77,12 @@ constexpr std::array kTextSignatures{
     Signature{"<html"sv, "an HTML page"},
 };
 
-/// The sound of Microsoft's RIFF.
+/// The sound of Microsoft's RIFF; RIFX has its bytes in the other order, RF64 and BW64 sizes of 64
+/// bits.
 bool is_wav(std::string_view head) {
-  return (head.starts_with("RIFF") || head.starts_with("RF64")) && head.size() >= 12 &&
-         head.substr(8, 4) == "WAVE";
+  constexpr std::array kStarts{"RIFF"sv, "RIFX"sv, "RF64"sv, "BW64"sv};
+  const bool starts = std::ranges::find(kStarts, head.substr(0, 4)) != kStarts.end();
+  return starts && head.size() >= 12 && head.substr(8, 4) == "WAVE";
 }
 
 /// The digit is the size of its blocks, in 100 kB; π follows in decimal digits of four bits.

@@ -28,8 +28,8 @@ namespace microslip {
 [[nodiscard]] Recordings read_recordings_tdms(const std::string& path,
                                               const RecordingReadOptions& options = {});
 
-/// Reads a WAV file (RIFF, RF64): integers of 8 to 32 bits, as fractions of full scale, and
-/// floating-point numbers. Channels are called channel_1, channel_2, … and have no unit.
+/// Reads a WAV file (RIFF, RIFX, RF64, BW64): integers of 8 to 32 bits, as fractions of full scale,
+/// and floating-point numbers. Channels are called channel_1, channel_2, … and have no unit.
 /// @throws  as read_recordings_tdms().
 [[nodiscard]] Recordings read_recordings_wav(const std::string& path,
                                              const RecordingReadOptions& options = {});

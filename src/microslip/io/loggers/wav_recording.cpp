@@ -20,8 +20,6 @@
 namespace microslip {
 namespace {
 
-/// WAV files are little-endian.
-constexpr bool kSwapWav = std::endian::native != std::endian::little;
 constexpr std::uint32_t kUnknownSize = 0xFFFFFFFF;
 constexpr std::size_t kChunkHead = 8;  ///< bytes: its name and its size
 constexpr std::string_view kConvert = "Convert it first: sox IN -e floating-point -b 32 OUT.wav.";
@@ -39,39 +37,37 @@ struct WavFormat {
   [[nodiscard]] std::size_t sample() const { return channels == 0 ? 0 : row / channels; }
 };
 
-template <class T>
-T wav_value(std::string_view bytes, std::size_t at) {
-  return value_of_bytes<T>(bytes.data() + at, kSwapWav);
-}
-
-/// Integers of three bytes, the least significant first.
+/// Integers of three bytes, the least significant first, or last where `big`.
+template <bool big>
 void convert_three_bytes(const char* from, std::size_t stride, std::size_t count, double* to) {
   for (std::size_t i = 0; i < count; ++i) {
     std::uint32_t bits = 0;
     for (std::size_t byte = 0; byte < 3; ++byte) {
       const auto part = static_cast<unsigned char>(from[i * stride + byte]);
-      bits |= std::uint32_t{part} << (8 * byte + 8);
+      bits |= std::uint32_t{part} << (8 * (big ? 2 - byte : byte) + 8);
     }
     to[i] = static_cast<double>(std::bit_cast<std::int32_t>(bits) >> 8);
   }
 }
 
 /// Null where samples of this format are not known here.
-ConvertBytes converter_of(const WavFormat& format) {
+/// @param big  whether the most significant byte is the first.
+ConvertBytes converter_of(const WavFormat& format, bool big) {
+  const bool swap = big == (std::endian::native == std::endian::little);
   if (format.code == kFloats) {
-    if (format.sample() == sizeof(float)) return converter<float>(kSwapWav);
-    return format.sample() == sizeof(double) ? converter<double>(kSwapWav) : nullptr;
+    if (format.sample() == sizeof(float)) return converter<float>(swap);
+    return format.sample() == sizeof(double) ? converter<double>(swap) : nullptr;
   }
   if (format.code != kIntegers) return nullptr;
   switch (format.sample()) {
     case 1:
-      return converter<std::uint8_t>(kSwapWav);
+      return converter<std::uint8_t>(swap);
     case 2:
-      return converter<std::int16_t>(kSwapWav);
+      return converter<std::int16_t>(swap);
     case 3:
-      return convert_three_bytes;
+      return big ? convert_three_bytes<true> : convert_three_bytes<false>;
     case 4:
-      return converter<std::int32_t>(kSwapWav);
+      return converter<std::int32_t>(swap);
     default:
       return nullptr;
   }
@@ -92,8 +88,9 @@ class WavReader {
 
   Recordings read() {
     const std::string riff(file_.take(12));
-    const bool is_long = riff.starts_with("RF64");
-    if ((!is_long && !riff.starts_with("RIFF")) || riff.substr(8) != "WAVE") {
+    const bool is_long = riff.starts_with("RF64") || riff.starts_with("BW64");
+    big_ = riff.starts_with("RIFX");
+    if ((!is_long && !big_ && !riff.starts_with("RIFF")) || riff.substr(8) != "WAVE") {
       file_.fail("a WAV file, 'RIFF'", "other bytes");
     }
     std::optional<WavFormat> format;
@@ -114,6 +111,12 @@ class WavReader {
   }
 
  private:
+  template <class T>
+  [[nodiscard]] T wav_value(std::string_view bytes, std::size_t at) const {
+    const bool swap = big_ == (std::endian::native == std::endian::little);
+    return value_of_bytes<T>(bytes.data() + at, swap);
+  }
+
   [[nodiscard]] WavFormat format_of(std::string_view chunk) const {
     if (chunk.size() < 16) file_.fail("a format of 16 bytes", fmt::format("{}", chunk.size()));
     WavFormat format;
@@ -122,8 +125,8 @@ class WavReader {
     format.rate = wav_value<std::uint32_t>(chunk, 4);
     format.row = wav_value<std::uint16_t>(chunk, 12);
     format.bits = wav_value<std::uint16_t>(chunk, 14);
-    if (format.code == kExtensible && chunk.size() >= 26) {
-      format.code = wav_value<std::uint16_t>(chunk, 24);
+    if (format.code == kExtensible && chunk.size() >= 28) {
+      format.code = static_cast<std::uint16_t>(wav_value<std::uint32_t>(chunk, 24));
     }
     check_format(format);
     return format;
@@ -135,7 +138,7 @@ class WavReader {
       file_.fail("bytes of a sample of all channels (block size) above 0", "0",
                  "The program that wrote it left out its block size: write it again as WAV.");
     }
-    if (format.row % format.channels != 0 || converter_of(format) == nullptr) {
+    if (format.row % format.channels != 0 || converter_of(format, big_) == nullptr) {
       file_.fail("samples of integers or floating-point numbers",
                  fmt::format("format {} of {} bytes for {} channels", format.code, format.row,
                              format.channels),
@@ -232,7 +235,7 @@ class WavReader {
   std::vector<std::vector<double>> read_rows(const WavFormat& format, std::size_t rows) {
     std::vector<std::vector<double>> values(format.channels);
     for (auto& channel : values) channel.resize(rows);
-    const ConvertBytes convert = converter_of(format);
+    const ConvertBytes convert = converter_of(format, big_);
     std::size_t done = 0;
     take_rows(file_, rows, format.row, [&](const char* from, std::size_t count) {
       for (auto& channel : values) {
@@ -261,6 +264,7 @@ class WavReader {
   const std::string& path_;
   const RecordingReadOptions& options_;
   PieceReader file_;
+  bool big_ = false;  ///< whether the most significant byte is the first
 };
 
 }  // namespace
