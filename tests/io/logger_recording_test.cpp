@@ -430,7 +430,6 @@ TEST_F(Tdms, WarnsOfPropertiesThatChange) {
              segment(kMetadata | kRaw, {object(kForcePath, kSame, {after})}, rising(4))));
   };
   const std::vector<std::string> step = waveform(0.5, "N");
-  EXPECT_EQ(codes(step, number("wf_increment", 0.25)), Codes{"properties_change"});
   EXPECT_EQ(codes(step, number("wf_increment", 0.5)), Codes{});
   EXPECT_EQ(codes(step, word("unit_string", "kN")), Codes{"properties_change"});
   EXPECT_EQ(codes(step, word("operator", "me")), Codes{});
@@ -438,6 +437,22 @@ TEST_F(Tdms, WarnsOfPropertiesThatChange) {
   started.push_back(stamp("wf_start_time", 2));
   EXPECT_EQ(codes(started, stamp("wf_start_time", 6)), Codes{}) << "goes on where it ended";
   EXPECT_EQ(codes(started, stamp("wf_start_time", 26)), Codes{"properties_change"});
+}
+
+// The values before keep their step.
+TEST_F(Tdms, TakesAnIncrementThatChanges) {
+  const auto part = [&](std::uint32_t contents, double step) {
+    return segment(contents,
+                   {object(kForcePath, index_of(kI16, 2), waveform(step, "N")),
+                    object(kAccPath, index_of(kI16, 2), waveform(step, "g"))},
+                   rising(2) + rising(2));
+  };
+  const Recordings read =
+      this->read(part(kAll, 0.5) + part(kAll, 0.5) + part(kAll, 0.25) + part(kAll, 2.0));
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].channels.size(), 2U);
+  EXPECT_EQ(read.recordings[0].axis.values, (std::vector{0.0, 0.5, 1.0, 1.5, 2.0, 2.25, 2.5, 4.5}));
+  EXPECT_EQ(codes_of(read), (Codes{"step_changes", "step_changes"}));
 }
 
 TEST_F(Tdms, WarnsOfAChannelThatDoesNotSayWhenItBegins) {

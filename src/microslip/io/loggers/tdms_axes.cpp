@@ -152,6 +152,26 @@ WaveformAxis waveform_axis(const TdmsProperties& properties,
   return {.axis = std::move(axis)};
 }
 
+Axis axis_of_steps(const Axis& last, const TdmsObject& object, std::size_t count) {
+  const double* const increment = object.properties.number("wf_increment");
+  const double unit = increment == nullptr ? 1.0 : last.step / *increment;
+  Axis axis;
+  axis.dimension = last.dimension;
+  axis.values.reserve(count);
+  double begin = last.start;
+  std::size_t first = 0;
+  const auto add = [&](std::size_t end, double step) {
+    for (std::size_t i = first; i < std::min(end, count); ++i) {
+      axis.values.push_back(begin + static_cast<double>(i - first) * step);
+    }
+    begin += static_cast<double>(end - first) * step;
+    first = end;
+  };
+  for (const auto& [end, step] : object.former_steps) add(end, unit * step);
+  add(std::max(count, first), last.step);
+  return axis;
+}
+
 Alignment align_channels(std::vector<LoggedChannel>& channels) {
   Alignment result;
   std::vector<LoggedChannel*> left;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,5 +50,9 @@ struct Alignment {
 /// or 2 µs, but at most 0.25 of a step; and that have 0.9 of the points of the longest in common.
 /// Of the others those that are together are aligned likewise.
 [[nodiscard]] Alignment align_channels(std::vector<LoggedChannel>& channels);
+
+/// The points of values some of which have former_steps.
+/// @param last  even, by the increment that was stated last.
+[[nodiscard]] Axis axis_of_steps(const Axis& last, const TdmsObject& object, std::size_t count);
 
 }  // namespace microslip

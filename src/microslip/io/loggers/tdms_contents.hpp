@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -64,6 +65,9 @@ struct TdmsObject {
   /// The first property on which the values depend, in words, that a later segment states
   /// otherwise. The last statement counts, but of wf_start_time the first one.
   std::string change = {};
+  /// Where a later segment states another wf_increment: the number of values before it, and the
+  /// increment of those since the change before.
+  std::vector<std::pair<std::size_t, double>> former_steps = {};
 
   /// How many values there are, stored.
   [[nodiscard]] std::size_t size() const {

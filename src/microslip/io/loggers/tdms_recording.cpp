@@ -151,6 +151,7 @@ class TdmsGroups {
         continue;
       }
       const bool has_own = own.axis.has_value();
+      if (has_own) take_former_steps(*own.axis, logged);
       logged.axis = has_own ? std::move(own.axis) : axis_of_group(logged, axes);
       if (has_own) warn_beside_points(logged, axes);
       channels.push_back(std::move(logged));
@@ -191,6 +192,20 @@ class TdmsGroups {
                      "without gap, as one channel of the step, unit and scale that were stated "
                      "last. Have each part written to a group of its own",
                      place_of(object), object.change)});
+  }
+
+  /// Values of segments with other increments are over uneven points.
+  void take_former_steps(Axis& axis, const LoggedChannel& logged) {
+    const TdmsObject& object = *logged.object;
+    if (object.former_steps.empty()) return;
+    axis = axis_of_steps(axis, object, logged.channel.values.size());
+    result_.warnings.push_back(
+        {"step_changes",
+         fmt::format("{}: a later segment states another wf_increment ({}, then {}); the values of "
+                     "all segments are joined without gap, over times in uneven steps. Have each "
+                     "part written to a group of its own",
+                     place_of(object), object.former_steps.front().second,
+                     *object.properties.number("wf_increment"))});
   }
 
   /// Beside channels that state when they begin, one that does not may begin at any time.

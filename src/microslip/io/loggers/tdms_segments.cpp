@@ -198,6 +198,10 @@ class TdmsReader {
     const bool changes =
         known != object.properties.all.end() && object.size() > 0 && known->second != value;
     const bool is_start = name == "wf_start_time";
+    if (changes && name == "wf_increment" && keep_former_step(object)) {
+      object.properties.all.insert_or_assign(name, std::move(value));
+      return;
+    }
     if (changes && object.change.empty()) {
       if (is_start) object.change = gap_of(object, std::get_if<TdmsTime>(&value));
       if (is_of_values(name)) {
@@ -209,6 +213,25 @@ class TdmsReader {
     object.properties.all.insert_or_assign(name, std::move(value));
   }
 
+  /// False where there is none that could be one of the values so far.
+  static bool keep_former_step(TdmsObject& object) {
+    const double* const step = object.properties.number("wf_increment");
+    if (step == nullptr || !(*step > 0.0) || !std::isfinite(*step)) return false;
+    object.former_steps.emplace_back(object.size(), *step);
+    return true;
+  }
+
+  /// s, of all values, the last ones by `step`.
+  static double length_of(const TdmsObject& object, double step) {
+    double length = 0.0;
+    std::size_t done = 0;
+    for (const auto& [end, former] : object.former_steps) {
+      length += former * static_cast<double>(end - done);
+      done = end;
+    }
+    return length + step * static_cast<double>(object.size() - done);
+  }
+
   /// In words, where values that begin at a time do not go on where those before them end; empty
   /// where they do, by half a step.
   static std::string gap_of(const TdmsObject& object, const TdmsTime* time) {
@@ -216,7 +239,7 @@ class TdmsReader {
     const double* const step = object.properties.number("wf_increment");
     if (first == nullptr || time == nullptr) return "wf_start_time";
     const double later = seconds_between(*first, *time);
-    const double end = step == nullptr ? 0.0 : *step * static_cast<double>(object.size());
+    const double end = step == nullptr ? 0.0 : length_of(object, *step);
     if (step != nullptr && std::abs(later - end) <= 0.5 * *step) return {};
     return fmt::format("wf_start_time ({} s later, where {} s were recorded before)", later, end);
   }
