@@ -204,6 +204,32 @@ TEST_F(LvmFiles, JoinSectionsOfAnySize) {
   }
 }
 
+// As of a program that writes a segment with a header of its own for each piece of a measurement:
+// X0 is 0 in all of them, and Time goes on. Times are printed to microseconds.
+TEST_F(LvmFiles, JoinSectionsThatGoOnByTheirTime) {
+  for (const char* x_columns : {"One", "No"}) {
+    const bool has_x = std::string(x_columns) == "One";
+    const auto section = [&](const std::string& time, std::size_t first) {
+      std::string text = "Channels\t2\t\t\r\nDate\t2026/11/29\t2026/11/29\t\r\nTime\t" + time +
+                         "\t" + time + "\t\r\nX0\t0.0\t0.0\t\r\n" + kSteps + kSection + kTwo;
+      for (std::size_t i = 0; i < 2; ++i) {
+        text +=
+            (has_x ? kRows[i].substr(0, 8) : std::string()) + kRows[first + i].substr(8) + "\r\n";
+      }
+      return text + "\r\n";
+    };
+    const std::string head = file_header(x_columns);
+    const Recording recording =
+        only(head + section("10:00:00.250000", 0) + section("10:00:00.252000", 2));
+    EXPECT_EQ(recording.channel("Force").values, (Values{1, 2, 3, 4}));
+    EXPECT_EQ(recording.axis.step, 1e-3);
+    for (const char* time : {"10:00:00.250000", "10:00:00.251000", "10:00:00.253000"}) {
+      EXPECT_EQ(read(head + section("10:00:00.250000", 0) + section(time, 2)).recordings.size(), 2U)
+          << time;
+    }
+  }
+}
+
 // As other programs write it; a column more than names.
 TEST_F(LvmFiles, MayLackTheColumnOfXAndNames) {
   const Recording recording = only(file_header("No") + kUnits + kSteps + kSection +

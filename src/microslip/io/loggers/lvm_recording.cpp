@@ -86,7 +86,7 @@ class LvmReader {
   void join_sections() {
     std::vector<LvmSection> joined;
     for (LvmSection& next : contents_.sections) {
-      if (!joined.empty() && goes_on(joined.back(), next)) {
+      if (!joined.empty() && (goes_on(joined.back(), next, 0.0) || goes_on_by_time(joined, next))) {
         append(joined.back(), next);
       } else {
         joined.push_back(std::move(next));
@@ -95,29 +95,43 @@ class LvmReader {
     contents_.sections = std::move(joined);
   }
 
-  [[nodiscard]] bool goes_on(const LvmSection& last, const LvmSection& next) const {
+  /// Where x begins anew in each section, Date and Time say that it goes on.
+  [[nodiscard]] bool goes_on_by_time(const std::vector<LvmSection>& joined,
+                                     const LvmSection& next) const {
+    const std::optional<double> before = begin_of(joined.back());
+    const std::optional<double> then = begin_of(next);
+    return before && then && *then > *before && goes_on(joined.back(), next, *then - *before);
+  }
+
+  /// @param later  s, by which the values of the next section are later than their x says.
+  [[nodiscard]] bool goes_on(const LvmSection& last, const LvmSection& next, double later) const {
     if (last.channels.empty() || last.channels.size() != next.channels.size() ||
         last.x.size() != next.x.size()) {
       return false;
     }
     for (std::size_t i = 0; i < last.channels.size(); ++i) {
-      if (!goes_on(last, next, last.channels[i], next.channels[i])) return false;
+      if (!goes_on(last, next, last.channels[i], next.channels[i], later)) return false;
     }
     return true;
   }
 
   [[nodiscard]] bool goes_on(const LvmSection& last, const LvmSection& next, const LvmChannel& a,
-                             const LvmChannel& b) const {
+                             const LvmChannel& b, double later) const {
     if (a.column.name != b.column.name) return false;
     for (const char* tag : {"Y_Unit_Label", "X_Unit_Label", "X_Dimension", "Delta_X"}) {
       if (last.entry(tag, a) != next.entry(tag, b)) return false;
     }
+    const std::optional<Unit> unit = find_unit_of_points(last.entry("X_Unit_Label", a));
+    const bool is_spectrum =
+        last.entry("X_Dimension", a) == "Frequency" || (unit && unit->dimension == kFrequency);
+    if (later > 0.0 && is_spectrum) return false;
+    later /= unit ? unit->factor() : 1.0;
     const std::size_t size = a.column.values.size();
     const std::optional<double> step = stated_step(last, a);
     if (last.x.empty()) {
       const double from = number(last, "X0", a).value_or(0.0);
       const double to = number(next, "X0", b).value_or(0.0);
-      return step && is_step(to - from - static_cast<double>(size) * *step + *step, *step);
+      return step && is_step(to + later - from - static_cast<double>(size) * *step + *step, *step);
     }
     const std::vector<double>& x = last.x[a.x].values;
     const std::vector<double>& then = next.x[b.x].values;
@@ -125,7 +139,7 @@ class LvmReader {
     const double mean = x.size() < 2 ? std::numeric_limits<double>::quiet_NaN()
                                      : (x.back() - x.front()) / static_cast<double>(x.size() - 1);
     const double printed = std::pow(10.0, -last.x[a.x].digits.decimals);
-    return is_step(then.front() - x.back(), step.value_or(mean), printed);
+    return is_step(then.front() + later - x.back(), step.value_or(mean), printed);
   }
 
   /// @param printed  by how much numbers that were printed may be off.
@@ -140,8 +154,17 @@ class LvmReader {
     to.digits.significant = std::max(to.digits.significant, next.digits.significant);
   }
 
-  static void append(LvmSection& to, const LvmSection& next) {
-    for (std::size_t i = 0; i < to.x.size(); ++i) append(to.x[i], next.x[i]);
+  /// Where x begins anew it goes on by the step before.
+  static void append(LvmSection& to, LvmSection& next) {
+    for (std::size_t i = 0; i < to.x.size(); ++i) {
+      const std::vector<double>& x = to.x[i].values;
+      std::vector<double>& then = next.x[i].values;
+      if (x.size() > 1 && !then.empty() && then.front() <= x.back()) {
+        const double by = 2.0 * x.back() - x[x.size() - 2] - then.front();
+        for (double& value : then) value += by;
+      }
+      append(to.x[i], next.x[i]);
+    }
     for (std::size_t i = 0; i < to.channels.size(); ++i) {
       append(to.channels[i].column, next.channels[i].column);
     }
