@@ -14,6 +14,14 @@ TEST(OptionNames, AreThoseOfTheProgram) {
             "--smoothing lambda = 0; must be above 0");
 }
 
+TEST(OptionNames, MayBeThoseOfAnotherCommand) {
+  const auto spell = [](std::string_view name, const std::string& option) {
+    return name == "rate" ? option + " of convert" : option;
+  };
+  EXPECT_EQ(app::with_option_names("Give `rate`, or `assume_units a_b=N`.", spell),
+            "Give --rate of convert, or --assume-units a_b=N.");
+}
+
 TEST(OptionNames, LeaveAllElse) {
   for (const char* text : {"", "`", "``", "no option", "it's `open", "Run `microslip frf --help`.",
                            "levels.csv: channel '`A`' is none", "`1` and `a-b`"}) {

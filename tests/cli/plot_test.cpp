@@ -372,6 +372,10 @@ TEST(plot, RefusesOptionsThatDoNotFit) {
                  {"--time = '0:1'", "cuts a history or a record, and energies is none"});
   expect_refused(box, {"plot", "record.csv", "--figure", "history", "--time", "5:6"},
                  {"--time", "spans 0 to 0.3 s"});
+  // It has no --rate of its own.
+  box.put("untimed.csv", "force [N],acc [g]\n1,2\n3,4\n5,6\n");
+  expect_refused(box, {"plot", "untimed.csv", "--figure", "history"},
+                 {"give the rate by --rate of convert or in a comment line"});
 }
 
 TEST(plot, RefusesWhatCannotBeRead) {

@@ -75,6 +75,24 @@ int complain(int status, std::string_view message) {
   return status;
 }
 
+/// What readers of recordings advise, whoever calls them.
+constexpr std::array<std::string_view, 3> kReadingOptions{"rate", "assume_units",
+                                                          "allow_truncated"};
+
+/// A message on a file may name an option that the command does not have: then the file is
+/// converted first, or the file of a campaign has a key of the name.
+std::string with_options_of(const CLI::App& program, std::string_view message) {
+  const std::vector<CLI::App*> chosen = program.get_subcommands();
+  if (chosen.empty()) return with_option_names(message);
+  const CLI::App& command = *chosen.front();
+  return with_option_names(message, [&](std::string_view name, const std::string& option) {
+    const bool reads = std::ranges::find(kReadingOptions, name) != kReadingOptions.end();
+    if (!reads || command.get_option_no_throw(option) != nullptr) return option;
+    if (command.get_name() != "campaign") return option + " of convert";
+    return name == "rate" ? std::string("rate_Hz of the test") : std::string(name) + " of the test";
+  });
+}
+
 /// "; did you mean --stiffness?": the name that was probably meant, where there is one.
 std::string near_text(std::string_view name, const std::vector<std::string>& known) {
   const std::string_view nearest = closest_name(name, {known.begin(), known.end()});
@@ -242,11 +260,13 @@ int run_program(int argc, char** argv, Call& call, std::unique_ptr<CLI::App> (*m
     call.command_line = command_line(arguments);
     const std::unique_ptr<CLI::App> program = make(call);
     if (is_help) add_help(*program, arguments);
-    return parse_and_run(*program, call, arguments);
-  } catch (const InputError& error) {
-    return complain(kInputAtFault, error.what());
-  } catch (const FormatError& error) {
-    return complain(kInputAtFault, error.what());
+    try {
+      return parse_and_run(*program, call, arguments);
+    } catch (const InputError& error) {
+      return complain(kInputAtFault, with_options_of(*program, error.what()));
+    } catch (const FormatError& error) {
+      return complain(kInputAtFault, with_options_of(*program, error.what()));
+    }
   } catch (const WriteError& error) {
     return complain(kFailed, error.what());
   } catch (const FileError& error) {
