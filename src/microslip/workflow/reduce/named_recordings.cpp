@@ -11,14 +11,26 @@
 #include "microslip/io/bytes/input_stream.hpp"
 
 namespace microslip {
+namespace {
+
+/// Readers begin the source of a recording with the name of its file: that is not said twice.
+std::string name_of_one(const std::string& path, const std::string& source) {
+  const std::string file = part_of_file(path).file;
+  const std::size_t folders = file.rfind('/') + 1;
+  if (!source.starts_with(file.substr(folders))) {
+    return fmt::format("{}:{}", input_name(path), source);
+  }
+  return file.substr(0, folders) + source;
+}
+
+}  // namespace
 
 std::vector<Recording> named_recordings(Recordings found, const std::string& path,
                                         std::vector<Warning>& warnings) {
   warnings = std::move(found.warnings);
   const bool several = found.recordings.size() > 1;
   for (Recording& recording : found.recordings) {
-    const std::string name = input_name(path);
-    recording.source = several ? fmt::format("{}:{}", name, recording.source) : name;
+    recording.source = several ? name_of_one(path, recording.source) : input_name(path);
   }
   return std::move(found.recordings);
 }
