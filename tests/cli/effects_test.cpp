@@ -773,7 +773,7 @@ TEST(EffectsTable, HasEveryKeyOfTheDocumentedFiles) {
   const std::map<std::string, std::string> files = documented_files();
   for (const char* name :
        {"rig.toml", "modes.toml", "structure.toml", "frame.toml", "tested.toml", "channels.toml",
-        "shapes.toml", "model.toml", "joint.json", "four.json"}) {
+        "shapes.toml", "model.toml", "joint.json", "four.json", "about.toml"}) {
     for (const std::string& key : keys_in(files.at(name))) {
       EXPECT_TRUE(has_row(name, key)) << name << " " << key << kAddRow;
     }

@@ -92,6 +92,19 @@ TEST(HtmlReport, TextsAreInert) {
   EXPECT_NE(html.find("<code>microslip x &lt;y&gt;</code>"), std::string::npos);
 }
 
+TEST(HtmlReport, HasAHeadForACustomer) {
+  ReportDocument document = sample();
+  document.particulars = {{"Object", "Plate <12>"}, {"Customer", "Böse & Co"}};
+  document.logo = "<svg/>";
+  document.logo_type = "image/svg+xml";
+  const std::string html = html_report(document, {.picture = {}});
+  EXPECT_NE(html.find("<img class=\"logo\" alt=\"Logo\" src=\"data:image/svg+xml;base64," +
+                      base64("<svg/>") + "\">"),
+            std::string::npos);
+  EXPECT_NE(html.find("<dt>Object</dt><dd>Plate &lt;12&gt;</dd>"), std::string::npos);
+  EXPECT_NE(html.find("<dt>Customer</dt><dd>Böse &amp; Co</dd>"), std::string::npos);
+}
+
 TEST(HtmlReport, TablesHaveRoundedAndFullNumbers) {
   const std::string html = sample_html();
   EXPECT_NE(html.find("data-value=\"55.7\">55.700</td>"), std::string::npos);

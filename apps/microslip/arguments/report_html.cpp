@@ -28,28 +28,36 @@ void name_options(ExperimentResults& results) {
   for (std::string& text : results.joint->warning_texts) text = with_option_names(text);
 }
 
+ReportDocument with_head(ReportDocument document, const ReportAbout& about) {
+  document.particulars = about.particulars;
+  document.logo = about.logo;
+  document.logo_type = about.logo_type;
+  return document;
+}
+
 }  // namespace
 
-std::string report_html(ExperimentResults results, const Call& call, bool pictures) {
+std::string report_html(ExperimentResults results, const Call& call, bool pictures,
+                        const ReportAbout& about) {
   name_options(results);
   results.provenance.insert(results.provenance.begin(),
                             {{"report made by", fmt::format("microslip {}", kVersion)},
                              {"report command", call.command_line}});
   if (pictures) {
     try {
-      return html_report(experiment_report(results));
+      return html_report(with_head(experiment_report(results), about));
     } catch (const Error& error) {
       const std::string text = fmt::format(
           "The pictures for print are missing; the browser draws them when printing: {}",
           error.what());
       results.warnings.push_back({"pictures_missing", text});
-      std::string html =
-          html_report(experiment_report(results), {.picture = {}});  // may fail as before
+      std::string html = html_report(with_head(experiment_report(results), about),
+                                     {.picture = {}});  // may fail as before
       if (!call.quiet) print_text(stderr, fmt::format("microslip: warning: {}\n", text));
       return html;
     }
   }
-  return html_report(experiment_report(results), {.picture = {}});
+  return html_report(with_head(experiment_report(results), about), {.picture = {}});
 }
 
 }  // namespace microslip::app

@@ -16,6 +16,7 @@
 #include "arguments/progress_bar.hpp"
 #include "arguments/report_html.hpp"
 #include "microslip/base/error.hpp"
+#include "microslip/documents/study/about_file.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/output_files.hpp"
 #include "microslip/workflow/results/experiment_folder.hpp"
@@ -27,6 +28,7 @@ struct ReportOptions {
   std::string folder;
   std::string out;
   std::string title;
+  std::string about;
   std::size_t records = kRecordsOverTime;
   bool no_pictures = false;
 };
@@ -48,6 +50,7 @@ constexpr std::size_t kLarge = 4'000'000;  // bytes
 
 int run(const ReportOptions& options, const Call& call) {
   check_output(options.out, kReportKind);
+  const ReportAbout about = options.about.empty() ? ReportAbout{} : read_about(options.about);
   ExperimentResults results =
       read_experiment(options.folder, options.records, progress_bar("recordings", call.quiet));
   if (results.is_empty()) {
@@ -62,8 +65,9 @@ int run(const ReportOptions& options, const Call& call) {
       print_text(stderr, fmt::format("microslip: warning: {}\n", with_option_names(warning.text)));
     }
   }
+  if (!about.title.empty()) results.title = about.title;
   if (!options.title.empty()) results.title = options.title;
-  const std::string html = report_html(std::move(results), call, !options.no_pictures);
+  const std::string html = report_html(std::move(results), call, !options.no_pictures, about);
   write_file(options.out, html);
   if (!call.quiet && options.out != "-") {
     print_text(stdout, fmt::format("{}: {:.1f} MB, one file; open it in a browser.\n", options.out,
@@ -102,6 +106,11 @@ void add_report(CLI::App& program, Call& call) {
   command->add_option("--title", options->title,
                       "Title of the report; default: the name of the folder");
   command
+      ->add_option("--about", options->about,
+                   "Head of the report (about.toml): title, object, customer, order, operator, "
+                   "date, logo")
+      ->type_name(kTomlValue);
+  command
       ->add_option("--records", options->records,
                    "Number of recordings shown over time; all recordings of a rig are shown by "
                    "their harmonics if they fit on the page")
@@ -110,7 +119,8 @@ void add_report(CLI::App& program, Call& call) {
   command->add_flag("--no-pictures", options->no_pictures,
                     "Omit the pictures for print that gnuplot draws: a smaller file");
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
-  add_examples(*command, {"microslip report test --out report.html"});
+  add_examples(*command, {"microslip report test --out report.html",
+                          "microslip report test --about about.toml --out report.html"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

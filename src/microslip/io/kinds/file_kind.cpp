@@ -68,6 +68,7 @@ constexpr std::array kKnownKinds{
     KnownKind{kStructureKind, "a structure whose modes are sought (structure.toml)",
               KindFormat::kToml},
     KnownKind{kCampaignKind, "a campaign (campaign.toml)", KindFormat::kToml},
+    KnownKind{kAboutKind, "the head of a report (about.toml)", KindFormat::kToml},
     KnownKind{kEnsemblePlanKind, "the plan of an ensemble (plan.toml)", KindFormat::kToml},
     KnownKind{kSamplesKind, "draws of a joint (joint_samples.h5)", KindFormat::kOther},
     KnownKind{kEnsembleKind, "the result of an ensemble (result.h5)", KindFormat::kOther},

@@ -112,8 +112,12 @@ struct ReportSection {
 
 /// A whole report.
 struct ReportDocument {
-  std::string title;                         ///< its main heading, and that of the window
-  std::string subtitle = {};                 ///< below it; may be empty
+  std::string title;          ///< its main heading, and that of the window
+  std::string subtitle = {};  ///< below it; may be empty
+  /// Below that: headings and texts, "Customer", "…".
+  std::vector<std::pair<std::string, std::string>> particulars = {};
+  std::string logo = {};                     ///< bytes of a picture beside the heading; empty: none
+  std::string logo_type = {};                ///< its type in an address, `image/png` for instance
   std::vector<ReportSection> sections = {};  ///< one at least
 };
 

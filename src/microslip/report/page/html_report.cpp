@@ -63,12 +63,26 @@ std::string head(const ReportDocument& document) {
   return html + element("style", kUplotStyle) + element("style", kReportStyle) + "</head>\n";
 }
 
+std::string particulars(const ReportDocument& document) {
+  std::string html = "<dl class=\"particulars\">\n";
+  for (const auto& [heading, text] : document.particulars) {
+    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", html_text(heading), html_text(text));
+  }
+  return html + "</dl>\n";
+}
+
 std::string header(const ReportDocument& document) {
-  std::string html = "<header>\n<p class=\"kicker\">microslip report</p>\n";
+  std::string html = "<header>\n";
+  if (!document.logo.empty()) {
+    html += fmt::format("<img class=\"logo\" alt=\"Logo\" src=\"data:{};base64,{}\">\n",
+                        html_text(document.logo_type), base64(document.logo));
+  }
+  html += "<p class=\"kicker\">microslip report</p>\n";
   html += fmt::format("<h1>{}</h1>\n", html_text(document.title));
   if (!document.subtitle.empty()) {
     html += fmt::format("<p class=\"subtitle\">{}</p>\n", html_text(document.subtitle));
   }
+  if (!document.particulars.empty()) html += particulars(document);
   return html + "</header>\n";
 }
 
