@@ -51,7 +51,7 @@ WholeTimes whole_times(std::span<const std::int64_t> numbers, const std::string&
     times.unit = counted->unit;
     times.warning = Warning{
         "times_since_1970",
-        fmt::format("{}: whole numbers without a unit, taken to be {} since 1970; times are told "
+        fmt::format("{}: whole numbers without a unit, taken to be {} since 1970; times are given "
                     "from the first on. State the unit where it is another",
                     place, counted->words)};
   }

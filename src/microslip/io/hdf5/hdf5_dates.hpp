@@ -25,7 +25,7 @@ struct WholeTimes {
 };
 
 /// Of whole numbers without a unit those of 12 digits or more count from 1970, in milliseconds,
-/// microseconds or nanoseconds: no test is so long. They are told from the first on, as are those
+/// microseconds or nanoseconds: no test is so long. They are given from the first on, as are those
 /// that doubles do not hold; others are as they are.
 /// @param unit   as in the file; empty: none.
 /// @param place  of the numbers, for the warning.
