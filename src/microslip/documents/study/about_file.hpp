@@ -27,6 +27,7 @@ struct ReportAbout {
   std::string logo_type;  ///< its type in an address, `image/png` for instance
 };
 
+/// @param text  of the file.
 /// @param file  its path: the logo is beside it.
 /// @throws FormatError  for text that is no TOML, another schema, keys unknown, texts that are
 ///                      empty or of more than a line, and a logo that is no such picture.

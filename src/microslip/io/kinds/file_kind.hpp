@@ -21,7 +21,7 @@ inline constexpr std::string_view kEnsembleTableKind = "a table of an ensemble";
 inline constexpr std::string_view kRigKind = "microslip.rig/1";  ///< rig.toml
 /// campaign.toml
 inline constexpr std::string_view kCampaignKind = "microslip.campaign/1";
-inline constexpr std::string_view kAboutKind = "microslip.about/1";
+inline constexpr std::string_view kAboutKind = "microslip.about/1";          ///< about.toml
 inline constexpr std::string_view kStructureKind = "microslip.structure/1";  ///< STRUCTURE.toml
 inline constexpr std::string_view kModelKind = "microslip.model/1";          ///< model.toml
 inline constexpr std::string_view kLevelsKind = "a table of levels";         ///< levels.csv
