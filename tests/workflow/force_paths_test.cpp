@@ -130,6 +130,24 @@ TEST_F(Identified, TakesOffTheDriftThatTheIdentificationTookOff) {
               1e-9 * kReach);
 }
 
+// Wear of a fifth of the force, with a drift given as found beside it.
+TEST_F(Identified, DoubtsADriftOfARecordOfNoMasingJoint) {
+  ForceRecord worn = recorded(1);
+  for (std::size_t i = 0; i < worn.size(); ++i) {
+    worn.force[i] *= 1.0 - 0.2 * static_cast<double>(i) / static_cast<double>(worn.size());
+  }
+  write("w.csv", worn);
+  RecordsIdentification options;
+  options.records = {folder.file("w.csv")};
+  options.options.draws = 100;
+  IdentifiedRecords done = identify_records(options);
+  EXPECT_TRUE(drift_warnings(done).empty());
+  done.drift.front().drift.displacement = {0.1 * kReach};
+  const std::vector<Warning> warnings = drift_warnings(done);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].code, "drift_uncertain");
+}
+
 TEST_F(Identified, FindsRecordsByTheirContent) {
   std::filesystem::create_directory(folder.file("recordings"));
   std::filesystem::rename(folder.file("a.csv"), folder.file("recordings/a.csv"));

@@ -106,6 +106,7 @@ IdentifiedRecords identified(const GivenEvidence& given, const RecordsIdentifica
   const std::vector<LevelEvidence> levels = evidence_of(given.levels, done);
   done.found =
       identify({records, levels, done.source, done.tables}, options.stiffness, options.options);
+  for (const Warning& warning : drift_warnings(done)) done.found.warnings.push_back(warning);
   return done;
 }
 

@@ -193,6 +193,23 @@ ReadyRecord ready_record(const ForceRecord& record, const RecordsIdentification&
   return ready;
 }
 
+std::vector<Warning> drift_warnings(const IdentifiedRecords& done) {
+  std::vector<Warning> warnings;
+  for (std::size_t r = 0; r < done.drift.size(); ++r) {
+    const SensorDrift& drift = done.drift[r].drift;
+    if (drift.displacement.empty() && drift.force.empty()) continue;
+    const std::vector<RecordVerdict>& verdicts = done.found.records()->records[r].verdicts;
+    if (std::ranges::none_of(verdicts, &RecordVerdict::broken)) continue;
+    warnings.push_back(
+        {"drift_uncertain",
+         fmt::format("{}: a drift of its sensors was subtracted, and it is of no Masing joint even "
+                     "so. Wear or a changing load looks like a drift, too: compare the result "
+                     "without --drift.",
+                     done.source[r])});
+  }
+  return warnings;
+}
+
 IdentifiedRecords identify_records(const RecordsIdentification& options) {
   Gathered all;
   gather_records(options, all);
@@ -209,6 +226,7 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
                          .found = identify({all.records, all.levels, all.source, all.tables},
                                            options.stiffness, options.options)};
   done.found.warnings.insert(done.found.warnings.begin(), all.warnings.begin(), all.warnings.end());
+  std::ranges::move(drift_warnings(done), std::back_inserter(done.found.warnings));
   return done;
 }
 

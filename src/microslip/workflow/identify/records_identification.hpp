@@ -67,6 +67,11 @@ struct IdentifiedRecords {
   Identification found;                  ///< with warnings of the files, too
 };
 
+/// Warning `drift_uncertain` of each record whose drift was subtracted and that is of no Masing
+/// joint even so: wear or a changing load looks like a drift of the sensors, too.
+/// @param done  with its joint and drifts.
+[[nodiscard]] std::vector<Warning> drift_warnings(const IdentifiedRecords& done);
+
 /// Reads recordings and levels and identifies the joint.
 /// @throws FileError, FormatError  as read_recordings() and read_level_table().
 /// @throws InputError  as read_force_records() and identify(); where there is no recording.
