@@ -22,6 +22,8 @@ constexpr double kLeastFreedom = 10.0;
 /// Edges that may have to be added together before one of them is significant: the ends of one
 /// population.
 constexpr std::size_t kLookAhead = 2;
+/// Levels in a range between edges: each shows a loss and, with frequencies, a stiffness.
+constexpr Eigen::Index kLeastLevels = 2;
 /// Spacings of the knots: an edge whose place is known no better may be where a density bends, or
 /// falls fast.
 constexpr double kToldFromABend = 0.3;
@@ -209,7 +211,8 @@ EdgeSearch JointEdges::search() {
            .amplitude = std::move(amplitude),
            .coefficients = own.coefficients(),
            .look_ahead = kLookAhead,
-           .trend = false}};
+           .trend = false,
+           .least_levels = kLeastLevels}};
 }
 
 std::vector<double> JointEdges::slip_displacements(const std::vector<BasisEdge>& edges) const {

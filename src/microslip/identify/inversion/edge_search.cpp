@@ -38,8 +38,6 @@ constexpr double kEven = 0.6180339887498949;
 /// Rounds in which all edges are moved, and the decrease of the evidence required for another.
 constexpr int kMostRounds = 4;
 constexpr double kWorthARound = 2.0;
-/// Levels in a range between edges: a straight line, and at least one degree of freedom.
-constexpr Eigen::Index kLeastLevels = 3;
 
 std::vector<BasisEdge> with_edge(const std::vector<BasisEdge>& edges, int knot) {
   std::vector<BasisEdge> more = edges;
@@ -75,8 +73,8 @@ bool EdgeSearch::has_room(const std::vector<BasisEdge>& edges) const {
   int knot = 0;
   Eigen::Index levels = 0;
   const auto room_until = [&](int next_knot, Eigen::Index next_levels) {
-    const bool room =
-        next_knot - knot >= InversionBasis::kLeastBetween && next_levels - levels >= kLeastLevels;
+    const bool room = next_knot - knot >= InversionBasis::kLeastBetween &&
+                      next_levels - levels >= options_.least_levels;
     knot = next_knot;
     levels = next_levels;
     return room;

@@ -57,6 +57,8 @@ struct EdgeSearchOptions {
   /// So many edges together may be needed before one of them is significant.
   std::size_t look_ahead = 3;
   bool trend = true;  ///< whether the smoothness may change along the density
+  /// Fewest levels in a range between edges: what they show must be more than its straight line.
+  Eigen::Index least_levels = 3;
 };
 
 /// Search of edges and of a trend: how the smoothness of a density changes along it.
