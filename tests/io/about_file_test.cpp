@@ -37,9 +37,11 @@ TEST(AboutFile, TakesALogoBesideIt) {
   const test::TemporaryFolder folder;
   const std::string file = folder.file("about.toml");
   for (const auto& [name, bytes, type] :
-       {std::tuple{"a.png", "\x89PNG\r\n\x1A\n and more", "image/png"},
-        std::tuple{"a.jpg", "\xFF\xD8\xFF\xE0 and more", "image/jpeg"},
-        std::tuple{"a.svg", "<svg></svg>", "image/svg+xml"}}) {
+       {std::tuple{"a.png", "\x89PNG\r\n\x1A\n and IEND", "image/png"},
+        std::tuple{"a.jpg", "\xFF\xD8\xFF\xE0 and \xFF\xD9", "image/jpeg"},
+        std::tuple{"a.svg", "<svg></svg>\n", "image/svg+xml"},
+        std::tuple{"b.svg", "<!-- by hand -->\n<svg></svg>", "image/svg+xml"},
+        std::tuple{"c.svg", "<!DOCTYPE svg PUBLIC \"\">\n<svg></svg>", "image/svg+xml"}}) {
     test::put(folder.file(name), bytes);
     test::put(file, kSchema + "logo = \"" + name + "\"\n");
     EXPECT_EQ(read_about(file).logo, bytes);
@@ -64,6 +66,21 @@ TEST(AboutFile, NamesThePlaceOfAFault) {
   test::put(folder.file("a.pdf"), "%PDF-1.4\n");
   EXPECT_EQ(fault("logo = \"a.pdf\"\n"),
             "a.pdf: expected a picture in PNG, JPEG or SVG, found a PDF document");
+  test::put(folder.file("a.png"), "");
+  EXPECT_EQ(fault("logo = \"a.png\"\n"),
+            "a.png: expected a picture in PNG, JPEG or SVG, found an empty file");
+  test::put(folder.file("a.svg"), "<!-- an inner picture --><html><svg></svg></html>");
+  EXPECT_EQ(fault("logo = \"a.svg\"\n"),
+            "a.svg: expected a picture in PNG, JPEG or SVG, found other contents");
+  for (const char* cut : {"\x89PNG\r\n\x1A\n and", "\xFF\xD8\xFF\xE0 and", "<svg><rect width="}) {
+    test::put(folder.file("a.png"), cut);
+    EXPECT_EQ(
+        fault("logo = \"a.png\"\n"),
+        "a.png: expected the end of the picture, found the end of the file. It was truncated: "
+        "copy it again.");
+  }
+  EXPECT_EQ(fault("logo = \"\"\n"),
+            "about.toml:2:8: expected a text of one line, found ''. Or leave it out.");
 }
 
 }  // namespace

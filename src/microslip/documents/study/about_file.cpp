@@ -44,14 +44,28 @@ std::string_view picture_type(std::string_view bytes) {
   return bytes.starts_with("\xFF\xD8\xFF") ? "image/jpeg" : "";
 }
 
+/// Whether the end of the picture is there, which a browser would show broken.
+bool is_whole(std::string_view bytes, std::string_view type) {
+  if (type == "image/png") return bytes.find("IEND") < bytes.size();
+  if (type == "image/jpeg") return bytes.find("\xFF\xD9") < bytes.size();
+  const std::size_t last = bytes.find_last_not_of(" \t\r\n");
+  return last < bytes.size() && bytes[last] == '>';
+}
+
 void read_logo(const TomlTable& table, std::string_view file, ReportAbout& about) {
-  const std::string path = file_beside(std::string(file), table.text("logo"));
+  const std::string path = file_beside(std::string(file), line_in(table, "logo"));
   about.logo = read_file(path, kLargestLogo);
   about.logo_type = picture_type(about.logo);
-  if (!about.logo_type.empty()) return;
-  const std::string_view found = signature(about.logo);
-  throw FormatError({path, 0, 0}, "a picture in PNG, JPEG or SVG",
-                    found.empty() ? std::string_view("other contents") : found);
+  if (about.logo_type.empty()) {
+    const std::string_view found = signature(about.logo);
+    throw FormatError({path, 0, 0}, "a picture in PNG, JPEG or SVG",
+                      about.logo.empty() ? "an empty file"
+                      : found.empty()    ? "other contents"
+                                         : found);
+  }
+  if (is_whole(about.logo, about.logo_type)) return;
+  throw FormatError({path, 0, 0}, "the end of the picture", "the end of the file",
+                    "It was truncated: copy it again.");
 }
 
 }  // namespace

@@ -148,9 +148,10 @@ std::string_view signature(std::string_view head) {
   for (const Signature& s : kTextSignatures) {
     if (head.starts_with(s.start)) return s.name;
   }
-  if (head.starts_with("<?xml") && head.find("<svg") != std::string_view::npos) {
-    return "an SVG picture";
-  }
+  const bool is_xml =
+      head.starts_with("<?xml") || head.starts_with("<!--") || head.starts_with("<!DOCTYPE svg");
+  const bool has_html = head.find("<html") != std::string_view::npos;
+  if (is_xml && !has_html && head.find("<svg") != std::string_view::npos) return "an SVG picture";
   return {};
 }
 
