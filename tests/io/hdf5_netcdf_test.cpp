@@ -338,8 +338,8 @@ TEST_F(Hdf5NetCdf, LeavesOutChannelsWithMissingValues) {
                 fmt::format("{}", double{kFill}) + " is the fill value of the dataset");
 }
 
-// netcdf.h 4.9: NC_FILL_DOUBLE, NC_FILL_FLOAT, NC_FILL_SHORT; of bytes there is none. A file that
-// was made with NC_NOFILL and copied has them without an attribute.
+// netcdf.h 4.9: NC_FILL_DOUBLE, NC_FILL_FLOAT, NC_FILL_SHORT and so on; of bytes there is none. A
+// file that was made with NC_NOFILL and copied has them without an attribute.
 TEST_F(Hdf5NetCdf, KnowsTheFillValuesOfNetCdf) {
   for (const bool netcdf : {true, false}) {
     {
@@ -349,11 +349,16 @@ TEST_F(Hdf5NetCdf, KnowsTheFillValuesOfNetCdf) {
       file.dataset<double>("double", H5T_NATIVE_DOUBLE, {3}, {1, 9.9692099683868690e+36, 2});
       file.dataset<float>("float", H5T_NATIVE_FLOAT, {3}, {1, 9.96921e36F, 2});
       file.dataset<short>("short", H5T_NATIVE_SHORT, {3}, {1, -32767, 2});
+      file.dataset<int>("int", H5T_NATIVE_INT, {3}, {1, -2147483647, 2});
+      file.dataset<std::int64_t>("int64", H5T_NATIVE_INT64, {3}, {1, INT64_MIN + 2, 2});
+      file.dataset<unsigned short>("ushort", H5T_NATIVE_USHORT, {3}, {1, 65535, 2});
+      file.dataset<unsigned>("uint", H5T_NATIVE_UINT, {3}, {1, 4294967295U, 2});
+      file.dataset<std::uint64_t>("uint64", H5T_NATIVE_UINT64, {3}, {1, UINT64_MAX - 1, 2});
       file.dataset<signed char>("byte", H5T_NATIVE_SCHAR, {3}, {1, -127, 2});
       file.dataset<short>("own", H5T_NATIVE_SHORT, {3}, {1, -32767, 2});
       file.number("own", "_FillValue", 5.0);
     }
-    EXPECT_EQ(read().recordings.at(0).channels.size(), netcdf ? 2U : 5U);
+    EXPECT_EQ(read().recordings.at(0).channels.size(), netcdf ? 2U : 10U);
   }
 }
 
@@ -623,11 +628,62 @@ TEST_F(Hdf5NetCdf, TakesWholeNumbersSince1970) {
     expect(1e-3, 1);
     write(kNanoseconds, 19531, "ns");
     expect(19531e-9, 0);
+    write(kNanoseconds / 1000, 20, "us");  // doubles are 0.2 µs apart there, as seconds
+    expect(20e-6, 0);
     write(1704067200, 1, nullptr);
     expect(1.0, 0);
     write(0, 2, nullptr);
     expect(2.0, 0);
   }
+}
+
+TEST_F(Hdf5NetCdf, TakesWholeNumbersInAUnitOfTimeOfATable) {
+  struct Row {
+    std::int64_t time;
+    std::int64_t count;
+  };
+  constexpr std::int64_t kStart = 1704067200000000123;  // doubles are 256 apart there
+  for (const char* name : {"time [ns]", "elapsed [ns]"}) {
+    {
+      OtherFile file(path_);
+      const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+      H5Tinsert(type, name, HOFFSET(Row, time), H5T_NATIVE_INT64);
+      H5Tinsert(type, "count", HOFFSET(Row, count), H5T_NATIVE_INT64);
+      file.dataset<Row>("data", type, {3}, {{kStart, 3}, {kStart + 2000, 1}, {kStart + 4000, 2}});
+      H5Tclose(type);
+    }
+    const Recordings all = read();
+    EXPECT_NEAR(all.recordings.at(0).axis.step, 2000e-9, 1e-18);
+    EXPECT_TRUE(all.recordings[0].axis.even());
+    EXPECT_EQ(all.recordings[0].channel("count").values, (std::vector{3.0, 1.0, 2.0}));
+  }
+}
+
+// Nanoseconds from the first on, for instance.
+TEST_F(Hdf5NetCdf, WarnsOfLongStepsWithoutAUnit) {
+  for (const char* unit : {"", "ns"}) {
+    {
+      OtherFile file(path_);
+      file.dataset<std::int64_t>("time", H5T_NATIVE_INT64, {3}, {0, 1000, 2000});
+      file.text("time", "units", unit);
+      file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+    }
+    const Recordings all = read();
+    ASSERT_EQ(all.warnings.size(), *unit == '\0' ? 1U : 0U);
+    if (!all.warnings.empty()) {
+      EXPECT_EQ(all.warnings[0].code, "times_in_seconds");
+    }
+  }
+}
+
+TEST_F(Hdf5NetCdf, AddsTheOffsetOfWholeTimes) {
+  {
+    OtherFile file(path_);
+    file.dataset<std::int64_t>("time", H5T_NATIVE_INT64, {3}, {0, 1, 2});
+    file.number("time", "add_offset", 100.0);
+    file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+  }
+  EXPECT_EQ(read().recordings.at(0).axis.start, 100.0);
 }
 
 TEST_F(Hdf5NetCdf, TakesAFieldInAUnitOfTimeForTheAxis) {

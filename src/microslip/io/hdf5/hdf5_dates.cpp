@@ -20,6 +20,7 @@ struct CountedUnit {
 constexpr std::array kCounted{CountedUnit{"ns", "nanoseconds", 1e17},
                               CountedUnit{"us", "microseconds", 1e14},
                               CountedUnit{"ms", "milliseconds", 1e11}};
+constexpr double kLongStep = 10.0;  // s, longer than those of a test
 constexpr double kDecades = 100.0;  // from the least to the greatest of a unit
 
 const CountedUnit* counted_unit(double number) {
@@ -27,6 +28,23 @@ const CountedUnit* counted_unit(double number) {
     return number >= unit.least && number < kDecades * unit.least;
   });
   return found == kCounted.end() ? nullptr : found;
+}
+
+/// Whether doubles, which have 53 bits, hold times in seconds as finely as an axis must be even: to
+/// 1e-6 of a step.
+bool holds_steps(double first, double step) {
+  constexpr double kExact = 9007199254740992.0;  // 2⁵³
+  constexpr double kEvenTo = 1e-6;
+  return std::abs(first) <= kExact && std::abs(first) <= kEvenTo * kExact * step;
+}
+
+/// Numbers without a unit are taken for seconds, which they may not be.
+std::optional<Warning> doubtful_seconds(double step, const std::string& place) {
+  if (step < kLongStep) return std::nullopt;
+  return Warning{"times_in_seconds",
+                 fmt::format("{}: whole numbers without a unit, taken to be seconds, {} s from one "
+                             "to the next. State the unit where it is another",
+                             place, step)};
 }
 
 }  // namespace
@@ -42,10 +60,11 @@ bool is_large_integer(hid_t type) {
 
 WholeTimes whole_times(std::span<const std::int64_t> numbers, const std::string& unit,
                        const std::string& place) {
-  constexpr double kExact = 9007199254740992.0;  // 2⁵³
   WholeTimes times{.values = {}, .unit = unit};
   if (numbers.empty()) return times;
   const auto first = static_cast<double>(numbers.front());
+  const double step =
+      numbers.size() < 2 ? 0.0 : std::abs(static_cast<double>(difference(numbers[1], numbers[0])));
   const CountedUnit* const counted = unit.empty() ? counted_unit(first) : nullptr;
   if (counted != nullptr) {
     times.unit = counted->unit;
@@ -54,8 +73,10 @@ WholeTimes whole_times(std::span<const std::int64_t> numbers, const std::string&
         fmt::format("{}: whole numbers without a unit, taken to be {} since 1970; times are given "
                     "from the first on. State the unit where it is another",
                     place, counted->words)};
+  } else if (unit.empty()) {
+    times.warning = doubtful_seconds(step, place);
   }
-  const bool from_first = counted != nullptr || std::abs(first) > kExact;
+  const bool from_first = counted != nullptr || !holds_steps(first, step);
   const std::int64_t zero = from_first ? numbers.front() : 0;
   times.values.reserve(numbers.size());
   for (const std::int64_t number : numbers) {

@@ -388,9 +388,9 @@ class ForeignReader {
   [[nodiscard]] std::vector<double> read_times(hid_t dataset, const std::string& place,
                                                std::string& unit) {
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
-    if (!is_large_integer(type.id()) || H5Aexists(dataset, "scale_factor") > 0) {
-      return read_values(dataset, place);
-    }
+    const bool is_packed =
+        H5Aexists(dataset, "scale_factor") > 0 || H5Aexists(dataset, "add_offset") > 0;
+    if (!is_large_integer(type.id()) || is_packed) return read_values(dataset, place);
     WholeTimes times = whole_times(read_hdf5_integers(dataset, place), unit, place);
     if (times.warning) result_.warnings.push_back(*std::move(times.warning));
     unit = std::move(times.unit);

@@ -37,12 +37,15 @@ std::optional<double> fill_value_of(hid_t dataset) {
 /// none.
 std::optional<double> fill_value_of_netcdf(hid_t type) {
   if (H5Tget_class(type) == H5T_FLOAT) return 9.9692099683868690e+36;
-  if (H5Tget_class(type) != H5T_INTEGER || H5Tget_sign(type) == H5T_SGN_NONE) return std::nullopt;
+  if (H5Tget_class(type) != H5T_INTEGER) return std::nullopt;
+  const bool is_unsigned = H5Tget_sign(type) == H5T_SGN_NONE;
   switch (H5Tget_size(type)) {
     case sizeof(std::int16_t):
-      return -32767.0;
+      return is_unsigned ? 65535.0 : -32767.0;
     case sizeof(std::int32_t):
-      return -2147483647.0;
+      return is_unsigned ? 4294967295.0 : -2147483647.0;
+    case sizeof(std::int64_t):  // as doubles, which is how values are compared
+      return is_unsigned ? 18446744073709551614.0 : -9223372036854775806.0;
     default:
       return std::nullopt;
   }

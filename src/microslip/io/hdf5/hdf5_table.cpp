@@ -44,7 +44,7 @@ hsize_t width_of(hid_t type) {
 enum class Stored {
   kOther,        ///< none, or none that are read
   kNumbers,      ///< real numbers
-  kWholeTimes,   ///< whole numbers of eight bytes, called time
+  kWholeTimes,   ///< whole numbers of eight bytes, called time or in a unit of time
   kNanoseconds,  ///< whole ones, as pandas writes dates
   kSeconds,      ///< whole ones, as PyTables writes Time32Col
   kPairs,        ///< seconds in the upper 32 bits, microseconds in the lower: its Time64Col
@@ -56,7 +56,8 @@ struct Member {
   bool is_list = false;
   hsize_t width = 1;  ///< of the list
   Stored stored = Stored::kOther;
-  std::string reason = {};  ///< why it is left out
+  bool is_large_integer = false;  ///< a single one of eight bytes
+  std::string reason = {};        ///< why it is left out
 
   [[nodiscard]] bool is_read() const { return stored != Stored::kOther; }
   [[nodiscard]] bool is_date() const { return stored > Stored::kWholeTimes; }
@@ -78,9 +79,7 @@ bool is_date(hid_t dataset, const std::string& name, const std::string& place) {
 Stored stored_number(hid_t dataset, const std::string& name, hid_t type, const std::string& place) {
   if (H5Tget_class(type) == H5T_TIME) return stored_time(type);
   if (!is_hdf5_number(type)) return Stored::kOther;
-  if (is_date(dataset, name, place)) return Stored::kNanoseconds;
-  return is_large_integer(type) && is_one_of(name, kTimeNames) ? Stored::kWholeTimes
-                                                               : Stored::kNumbers;
+  return is_date(dataset, name, place) ? Stored::kNanoseconds : Stored::kNumbers;
 }
 
 /// Why a member is not read; empty where it is.
@@ -103,6 +102,7 @@ Member member_of(hid_t dataset, hid_t row, unsigned index, const std::string& pl
     if (is_hdf5_number(item.id())) member.stored = Stored::kNumbers;
   } else {
     member.stored = stored_number(dataset, member.name, type.id(), place);
+    member.is_large_integer = is_large_integer(type.id());
   }
   member.reason = reason_of(member, member.is_read());
   if (!member.reason.empty()) member.stored = Stored::kOther;
@@ -263,13 +263,34 @@ std::string name_of(const Member& member, std::string& unit, const std::string& 
   return column->name;
 }
 
+bool is_of_time(const std::string& name, const std::string& unit) {
+  if (is_one_of(name, kTimeNames)) return true;
+  const std::optional<Unit> known = find_unit_of_points(unit);
+  return known && !trimmed(unit).empty() && known->dimension == kTime;
+}
+
+/// The names of the members without their units, which are cut from them.
+std::vector<std::string> take_names(std::vector<Member>& members, std::vector<std::string>& units,
+                                    const std::string& place, std::vector<Warning>& warnings) {
+  std::vector<std::string> names(members.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    Member& member = members[i];
+    if (!member.is_read()) continue;
+    names[i] = name_of(member, units[i], place, warnings);
+    const bool is_whole = member.stored == Stored::kNumbers && member.is_large_integer;
+    if (is_whole && is_of_time(names[i], units[i])) member.stored = Stored::kWholeTimes;
+  }
+  return names;
+}
+
 }  // namespace
 
 Hdf5Table read_hdf5_table(hid_t dataset, const std::string& place) {
   const std::size_t rows = check_hdf5_storage(dataset, place);
-  const std::vector<Member> members = members_of(dataset, place);
+  std::vector<Member> members = members_of(dataset, place);
   Hdf5Table table;
   std::vector<std::string> units = units_of(dataset, members, place, table.warnings);
+  const std::vector<std::string> names = take_names(members, units, place, table.warnings);
   std::vector<std::vector<double>> columns = read_numbers(dataset, members, rows, place);
   std::size_t at = 0;
   for (std::size_t i = 0; i < members.size(); ++i) {
@@ -281,7 +302,7 @@ Hdf5Table read_hdf5_table(hid_t dataset, const std::string& place) {
            fmt::format("{}: {}: left out, {}", place, in_quotes(member.name), member.reason)});
       continue;
     }
-    const std::string name = name_of(member, units[i], place, table.warnings);
+    const std::string& name = names[i];
     if (member.stored == Stored::kWholeTimes) {
       table.fields.push_back(
           field_of_whole_times(name, units[i], columns[at++], place, table.warnings));
