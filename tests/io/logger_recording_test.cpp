@@ -455,6 +455,27 @@ TEST_F(Tdms, TakesAnIncrementThatChanges) {
   EXPECT_EQ(codes_of(read), (Codes{"step_changes", "step_changes"}));
 }
 
+// A step that differs by rounding is none, as between channels, nor is one without values.
+TEST_F(Tdms, TakesOneIncrementThatIsStatedAgain) {
+  const auto part = [&](double step, bool has_values) {
+    const std::vector<std::string> properties = waveform(step, "N");
+    return has_values
+               ? segment(kAll, {object(kForcePath, index_of(kI16, 2), properties)}, rising(2))
+               : segment(kMetadata, {object(kForcePath, kNone, properties)}, "");
+  };
+  const Axis even{kTime, 0, 0.5, {}};
+  for (const std::string& file : {part(0.5, true) + part(0.5 * (1 + 1e-12), true) + part(0.5, true),
+                                  part(0.5, true) + part(0.25, false) + part(0.5, true),
+                                  part(0.5, true) + part(0.25, false)}) {
+    const Recordings read = this->read(file);
+    EXPECT_EQ(read.recordings.at(0).axis, even);
+    EXPECT_EQ(codes_of(read), Codes{});
+  }
+  const Recordings back = read(part(0.5, true) + part(0.25, true) + part(0.5, true));
+  EXPECT_EQ(back.recordings.at(0).axis.values, (std::vector{0.0, 0.5, 1.0, 1.25, 1.5, 2.0}));
+  EXPECT_NE(back.warnings.at(0).text.find("(0.5, then 0.25)"), std::string::npos);
+}
+
 TEST_F(Tdms, WarnsOfAChannelThatDoesNotSayWhenItBegins) {
   std::vector<std::string> started = waveform(0.5, "N");
   started.push_back(stamp("wf_start_time", 2));

@@ -230,6 +230,19 @@ TEST_F(LvmFiles, JoinSectionsThatGoOnByTheirTime) {
   }
 }
 
+// Each value in a section of its own: the step is that which is stated.
+TEST_F(LvmFiles, JoinSingleValuesThatGoOnByTheirTime) {
+  std::string text = file_header("One");
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    text += fmt::format("Channels\t2\t\t\r\nDate\t2026/11/29\t2026/11/29\t\r\nTime\t{0}\t{0}\t\r\n",
+                        fmt::format("10:00:00.25{}000", i)) +
+            kSteps + kSection + kTwo + kRows[0].substr(0, 8) + kRows[i].substr(8) + "\r\n\r\n";
+  }
+  const Recording recording = only(text);
+  EXPECT_EQ(recording.channel("Force").values, (Values{1, 2, 3, 4}));
+  EXPECT_EQ(recording.axis.step, 1e-3);
+}
+
 // As other programs write it; a column more than names.
 TEST_F(LvmFiles, MayLackTheColumnOfXAndNames) {
   const Recording recording = only(file_header("No") + kUnits + kSteps + kSection +

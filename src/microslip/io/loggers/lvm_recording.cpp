@@ -154,13 +154,21 @@ class LvmReader {
     to.digits.significant = std::max(to.digits.significant, next.digits.significant);
   }
 
+  /// Of column i of x, which is that of a single point as stated.
+  [[nodiscard]] double last_step(const LvmSection& section, std::size_t i) const {
+    const std::vector<double>& x = section.x[i].values;
+    if (x.size() > 1) return x.back() - x[x.size() - 2];
+    const auto over = std::ranges::find(section.channels, i, &LvmChannel::x);
+    return over == section.channels.end() ? 0.0 : stated_step(section, *over).value_or(0.0);
+  }
+
   /// Where x begins anew it goes on by the step before.
-  static void append(LvmSection& to, LvmSection& next) {
+  void append(LvmSection& to, LvmSection& next) const {
     for (std::size_t i = 0; i < to.x.size(); ++i) {
       const std::vector<double>& x = to.x[i].values;
       std::vector<double>& then = next.x[i].values;
-      if (x.size() > 1 && !then.empty() && then.front() <= x.back()) {
-        const double by = 2.0 * x.back() - x[x.size() - 2] - then.front();
+      if (!x.empty() && !then.empty() && then.front() <= x.back()) {
+        const double by = x.back() + last_step(to, i) - then.front();
         for (double& value : then) value += by;
       }
       append(to.x[i], next.x[i]);

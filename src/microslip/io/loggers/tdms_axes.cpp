@@ -152,23 +152,42 @@ WaveformAxis waveform_axis(const TdmsProperties& properties,
   return {.axis = std::move(axis)};
 }
 
-Axis axis_of_steps(const Axis& last, const TdmsObject& object, std::size_t count) {
+std::vector<TdmsSteps> steps_of(const TdmsObject& object, std::size_t count) {
+  std::vector<TdmsSteps> steps;
+  std::size_t done = 0;
+  const auto add = [&](std::size_t end, double increment) {
+    if (end <= done) return;
+    const bool goes_on = !steps.empty() && std::abs(increment - steps.back().increment) <=
+                                               kRoundedStep * steps.back().increment;
+    if (!goes_on) steps.push_back({0, increment});
+    steps.back().count += end - done;
+    done = end;
+  };
+  for (const auto& [end, increment] : object.former_steps) add(std::min(end, count), increment);
+  const double* const last = object.properties.number("wf_increment");
+  if (last != nullptr) add(count, *last);
+  return steps;
+}
+
+Axis axis_of_steps(const Axis& last, const TdmsObject& object,
+                   const std::vector<TdmsSteps>& steps) {
   const double* const increment = object.properties.number("wf_increment");
   const double unit = increment == nullptr ? 1.0 : last.step / *increment;
-  Axis axis;
-  axis.dimension = last.dimension;
-  axis.values.reserve(count);
+  Axis axis = last;
+  if (steps.size() == 1) {
+    axis.step = unit * steps.front().increment;
+    return axis;
+  }
+  axis.start = 0.0;
+  axis.step = 0.0;
   double begin = last.start;
-  std::size_t first = 0;
-  const auto add = [&](std::size_t end, double step) {
-    for (std::size_t i = first; i < std::min(end, count); ++i) {
-      axis.values.push_back(begin + static_cast<double>(i - first) * step);
+  for (const TdmsSteps& part : steps) {
+    const double step = unit * part.increment;
+    for (std::size_t i = 0; i < part.count; ++i) {
+      axis.values.push_back(begin + static_cast<double>(i) * step);
     }
-    begin += static_cast<double>(end - first) * step;
-    first = end;
-  };
-  for (const auto& [end, step] : object.former_steps) add(end, unit * step);
-  add(std::max(count, first), last.step);
+    begin += static_cast<double>(part.count) * step;
+  }
   return axis;
 }
 

@@ -51,8 +51,19 @@ struct Alignment {
 /// Of the others those that are together are aligned likewise.
 [[nodiscard]] Alignment align_channels(std::vector<LoggedChannel>& channels);
 
-/// The points of values some of which have former_steps.
+/// Values that follow each other by one increment.
+struct TdmsSteps {
+  std::size_t count;
+  double increment;  ///< as stated
+};
+
+/// The values of a channel that states wf_increment, by increments. Those that differ by rounding
+/// are one, and one that no values follow is none.
+[[nodiscard]] std::vector<TdmsSteps> steps_of(const TdmsObject& object, std::size_t count);
+
+/// The points of values by steps_of(), even where these are one.
 /// @param last  even, by the increment that was stated last.
-[[nodiscard]] Axis axis_of_steps(const Axis& last, const TdmsObject& object, std::size_t count);
+[[nodiscard]] Axis axis_of_steps(const Axis& last, const TdmsObject& object,
+                                 const std::vector<TdmsSteps>& steps);
 
 }  // namespace microslip

@@ -189,23 +189,25 @@ class TdmsGroups {
     result_.warnings.push_back(
         {"properties_change",
          fmt::format("{}: a later segment states another {}; the values of all segments are joined "
-                     "without gap, as one channel of the step, unit and scale that were stated "
-                     "last. Have each part written to a group of its own",
-                     place_of(object), object.change)});
+                     "without gap, as one channel of the {}unit and scale that were stated last. "
+                     "Have each part written to a group of its own",
+                     place_of(object), object.change,
+                     object.former_steps.empty() ? "step, " : "")});
   }
 
   /// Values of segments with other increments are over uneven points.
   void take_former_steps(Axis& axis, const LoggedChannel& logged) {
     const TdmsObject& object = *logged.object;
     if (object.former_steps.empty()) return;
-    axis = axis_of_steps(axis, object, logged.channel.values.size());
+    const std::vector<TdmsSteps> steps = steps_of(object, logged.channel.values.size());
+    axis = axis_of_steps(axis, object, steps);
+    if (steps.size() < 2) return;
     result_.warnings.push_back(
         {"step_changes",
          fmt::format("{}: a later segment states another wf_increment ({}, then {}); the values of "
                      "all segments are joined without gap, over times in uneven steps. Have each "
                      "part written to a group of its own",
-                     place_of(object), object.former_steps.front().second,
-                     *object.properties.number("wf_increment"))});
+                     place_of(object), steps[0].increment, steps[1].increment)});
   }
 
   /// Beside channels that state when they begin, one that does not may begin at any time.
