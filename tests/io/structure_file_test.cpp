@@ -210,7 +210,7 @@ TEST(StructureFile, WarnsOfMassesThatAreMissingAndEntriesThatAreThereTwice) {
   folder.put(
       "k.mtx",
       "%%MatrixMarket matrix coordinate real symmetric\n3 3 4\n1 1 5\n2 2 6\n3 3 3\n3 3 4\n");
-  folder.put("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n1 1 1\n3 3 3\n");
+  folder.put("m.mtx", "1 1 1\n3 3 3\n");
   const StructureFile file = folder.parse();
   ASSERT_EQ(file.warnings.size(), 2U);
   const auto warning = [&](std::size_t i) {
@@ -223,9 +223,16 @@ TEST(StructureFile, WarnsOfMassesThatAreMissingAndEntriesThatAreThereTwice) {
   EXPECT_EQ(warning(1),
             "matrices.mass: z of 2 is without mass, taken to be massless. Where that is not meant, "
             "the file may lack its last lines");
-  folder.put("m.mtx", "%%MatrixMarket matrix coordinate real symmetric\n3 3 1\n3 3 3\n");
+  folder.put("m.mtx", "3 3 3\n");
   EXPECT_NE(folder.parse().warnings.at(1).text.find("z of 1 and 1 more displacements are without"),
             std::string::npos);
+  // Such a file lacks nothing: it has an entry 0, or says how many entries there are.
+  for (const char* whole :
+       {"1 1 1\n2 2 0\n3 3 3\n", "3 3 2\n1 1 1\n3 3 3\n",
+        "%%MatrixMarket matrix coordinate real symmetric\n3 3 2\n1 1 1\n3 3 3\n"}) {
+    folder.put("m.mtx", whole);
+    EXPECT_EQ(folder.parse().warnings.size(), 1U) << whole;
+  }
 }
 
 TEST(StructureFile, DampingRatiosAreViscous) {

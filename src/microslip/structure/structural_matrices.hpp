@@ -21,6 +21,8 @@ struct SymmetricEntries {
   std::vector<double> value;         ///< finite; one per entry
   /// Entries of a file that stood at a place that another one before had.
   std::size_t repeated = 0;
+  /// Whether the file does not say how many entries it has: lines may be missing at its end.
+  bool is_open_ended = false;
 };
 
 /// The largest matrix that is taken, rows: indices are of 32 bits, and a factor needs more.

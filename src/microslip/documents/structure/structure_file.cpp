@@ -178,15 +178,18 @@ void warn_of_repeated(const TomlTable& table, const StructuralMatrices& matrices
   }
 }
 
-/// A file of lumped masses that lacks its last lines is well formed. CalculiX' has none of them.
+/// A list of lumped masses that lacks its last lines is well formed. An entry 0 on the diagonal
+/// says that nothing is missing.
 void warn_of_massless(const TomlTable& table, const StructuralMatrices& matrices,
                       std::vector<Warning>& warnings) {
-  if (table.has("calculix")) return;
+  if (!matrices.mass.is_open_ended) return;
   std::vector<bool> has_mass(matrices.degrees.size(), false);
   for (std::size_t i = 0; i < matrices.mass.value.size() && !has_mass.empty(); ++i) {
-    if (matrices.mass.value[i] == 0.0) continue;
-    has_mass[static_cast<std::size_t>(matrices.mass.row[i])] = true;
-    has_mass[static_cast<std::size_t>(matrices.mass.column[i])] = true;
+    const std::int32_t row = matrices.mass.row[i];
+    const std::int32_t column = matrices.mass.column[i];
+    if (matrices.mass.value[i] == 0.0 && row != column) continue;
+    has_mass[static_cast<std::size_t>(row)] = true;
+    has_mass[static_cast<std::size_t>(column)] = true;
   }
   std::vector<std::string> lack;
   for (std::size_t row = 0; row < matrices.degrees.size(); ++row) {

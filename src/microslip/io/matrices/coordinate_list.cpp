@@ -64,14 +64,14 @@ bool begins_behind(const MatrixEntries& entries) {
 }
 
 /// A first line of rows, columns and number of entries, as some programs write, is none of these.
-/// @throws FormatError  where it states another number than there are.
-void drop_sizes(MatrixEntries& entries, const TextPlace& end) {
+/// False where there is none. @throws FormatError  where it states another number than there are.
+bool drop_sizes(MatrixEntries& entries, const TextPlace& end) {
   const std::size_t others = entries.value.size() - 1;
   const bool is_last = static_cast<std::size_t>(entries.row[0]) + 1 == entries.size &&
                        entries.row[0] == entries.column[0];
-  if (!is_last || others == 0) return;
+  if (!is_last || others == 0) return false;
   if (entries.value[0] != static_cast<double>(others)) {
-    if (!begins_behind(entries)) return;
+    if (!begins_behind(entries)) return false;
     throw FormatError(
         end, fmt::format("{} entries, which the first line states", entries.value[0]),
         std::to_string(others),
@@ -80,6 +80,16 @@ void drop_sizes(MatrixEntries& entries, const TextPlace& end) {
   entries.row.erase(entries.row.begin());
   entries.column.erase(entries.column.begin());
   entries.value.erase(entries.value.begin());
+  return true;
+}
+
+SymmetricEntries symmetric_of_list(MatrixEntries entries, std::string_view file) {
+  if (has_both_triangles(entries)) {
+    return symmetric_of_both(entries, file,
+                             "It has some entries of both triangles: all must be there, or those "
+                             "of one.");
+  }
+  return symmetric_of_triangle(std::move(entries), file);
 }
 
 }  // namespace
@@ -108,13 +118,10 @@ SymmetricEntries parse_coordinate_list(std::string_view text, std::string_view f
   if (entries.value.empty()) {
     throw FormatError(lines.place(), "lines of row, column and value", "none");
   }
-  drop_sizes(entries, lines.place());
-  if (has_both_triangles(entries)) {
-    return symmetric_of_both(entries, file,
-                             "It has some entries of both triangles: all must be there, or those "
-                             "of one.");
-  }
-  return symmetric_of_triangle(std::move(entries), file);
+  const bool has_sizes = drop_sizes(entries, lines.place());
+  SymmetricEntries matrix = symmetric_of_list(std::move(entries), file);
+  matrix.is_open_ended = !has_sizes;
+  return matrix;
 }
 
 SymmetricEntries read_coordinate_list(const std::string& path) {

@@ -89,8 +89,10 @@ SymmetricEntries entries_of(const DegreeMatrix& matrix,
                     (matrix.triangles == Triangles::kEither && has_both_triangles(entries));
   if (!both) put_below_the_diagonal(entries);
   require_single(entries, degrees, matrix);
-  if (both) return symmetric_of_both(entries, matrix.name, matrix.lacks);
-  return symmetric_of_triangle(std::move(entries), matrix.name);
+  SymmetricEntries result = both ? symmetric_of_both(entries, matrix.name, matrix.lacks)
+                                 : symmetric_of_triangle(std::move(entries), matrix.name);
+  result.is_open_ended = true;
+  return result;
 }
 
 }  // namespace
