@@ -203,10 +203,11 @@ TEST_F(MatOther, LeavesOutAStructWithoutAnyWholeChannel) {
   EXPECT_EQ(read.recordings[0].channels.size(), 1U);
   ASSERT_EQ(read.warnings.size(), 1U);
   EXPECT_EQ(read.warnings[0].code, "recording_left_out");
-  EXPECT_EQ(read.warnings[0].text,
-            path_ +
-                ": channel 'spare', point 1 = nan; must be finite; 4 of 4 values are missing or "
-                "not finite. Cut the record where it is whole. It is left out");
+  EXPECT_EQ(
+      read.warnings[0].text,
+      path_ +
+          ": the recording 'a.mat #2' of 'spare' is left out: each of its channels has values "
+          "that are missing or not finite. Cut it where it is whole");
   {
     OtherMat file(path_);
     file.add("fs", {100.0}, 1);

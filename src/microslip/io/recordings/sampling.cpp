@@ -58,14 +58,13 @@ bool has_whole_channel(const Recording& recording) {
   });
 }
 
-std::string reason_of_incomplete(const Recording& recording, const std::string& place) {
-  std::string reason;
-  try {
-    check_read(recording, place);
-  } catch (const InputError& error) {
-    reason = error.what();
+/// Of its channels, in quotes.
+std::string names_of(const Recording& recording) {
+  std::string names;
+  for (const Channel& channel : recording.channels) {
+    names += (names.empty() ? "" : ", ") + in_quotes(channel.name);
   }
-  return fmt::format("{} It is left out", reason);
+  return names;
 }
 
 Unit unit_of_axis(const PointsInFile& file) {
@@ -232,7 +231,11 @@ void check_foreign(Recordings& read, const std::string& place) {
   if (std::ranges::any_of(read.recordings, has_whole_channel)) {
     std::erase_if(read.recordings, [&](const Recording& recording) {
       if (has_whole_channel(recording)) return false;
-      read.warnings.push_back({"recording_left_out", reason_of_incomplete(recording, place)});
+      read.warnings.push_back(
+          {"recording_left_out",
+           fmt::format("{}: the recording {} of {} is left out: each of its channels has values "
+                       "that are missing or not finite. Cut it where it is whole",
+                       place, in_quotes(recording.source), names_of(recording))});
       return true;
     });
   }
