@@ -76,3 +76,11 @@ debian() {
 octave() { # SCRIPT: its output, without what Octave says of itself at its end
   octave-cli --quiet --no-history --no-init-file "$1" 2>octave.log || true
 }
+
+scilab() { # SCRIPT: the lines that it prints behind `seen `; all that Scilab says is in scilab.log
+  local share="$root/usr/share/scilab" libraries="$root/usr/lib/scilab"
+  [[ -d "$share" ]] || share=/usr/share/scilab libraries=/usr/lib/scilab
+  SCI="$share" LD_LIBRARY_PATH="$libraries:$LD_LIBRARY_PATH" \
+    scilab-cli-bin -nb -quit -f "$1" >scilab.log 2>&1 </dev/null || true
+  sed -n 's/^seen //p' scilab.log
+}

@@ -24,13 +24,7 @@ for i = 1:3
 end
 exit
 END
-if [[ -d "$root/usr/share/scilab" ]]; then
-  export SCI="$root/usr/share/scilab" LD_LIBRARY_PATH="$root/usr/lib/scilab:$LD_LIBRARY_PATH"
-else
-  export SCI=/usr/share/scilab LD_LIBRARY_PATH="/usr/lib/scilab:$LD_LIBRARY_PATH"
-fi
-scilab-cli-bin -nb -quit -f modes.sce >scilab.log 2>&1 </dev/null || true
-mapfile -t lines < <(sed -n 's/^seen //p' scilab.log)
+mapfile -t lines < <(scilab modes.sce)
 ((${#lines[@]} == 3)) || fail "Scilab does not run it: $(tail -n 3 scilab.log)"
 read -r lowest largest residual mass <<<"${lines[0]}"
 read -r near _ <<<"${lines[1]}"
