@@ -73,9 +73,15 @@ class DriftPass {
   MatrixXd force_;
 };
 
-/// The drift of one sensor in the course of the passes.
+/// χ² of coefficients.
+double chi_squared_of(const VectorXd& coefficients, const MatrixXd& covariance) {
+  return coefficients.dot(Eigen::LDLT<MatrixXd>(covariance).solve(coefficients));
+}
+
+/// The drift of one sensor in the course of the passes; of one that is left out all is 0.
 struct SensorFit {
   std::vector<double> drift = {};  // coefficients
+  VectorXd scaled = {};            // the same over the unit of the last pass
   double deviation = 0.0;          // at the last sample
   double change = 0.0;             // there, by the last pass
   double gain = 0.0;               // of the drift beside that of the other sensor
@@ -85,16 +91,16 @@ struct SensorFit {
   /// Takes the terms of a pass from `first` on. @param unit  of its coefficients.
   void add(const JoinedColumns::Explained& found, Index first, Index terms, double unit) {
     drift.resize(static_cast<std::size_t>(terms));
-    VectorXd all(terms);
+    scaled.resize(terms);
     for (Index p = 0; p < terms; ++p) {
       double& one = drift[static_cast<std::size_t>(p)];
       one += unit * found.coefficients(first + p);
-      all(p) = one / unit;
+      scaled(p) = one / unit;
     }
     change = unit * found.coefficients.segment(first, terms).sum();
     const MatrixXd covariance = found.covariance.block(first, first, terms, terms);
     deviation = unit * std::sqrt(std::max(0.0, covariance.sum()));
-    gain = all.dot(Eigen::LDLT<MatrixXd>(covariance).solve(all));
+    gain = chi_squared_of(scaled, covariance);
   }
 };
 
@@ -141,22 +147,11 @@ class DriftSearch {
       if (sensors.force) {
         force_.add(found, sensors.displacement ? terms_ : 0, terms_, one.force());
       }
-      if (sensors.displacement && sensors.force) set_gain(found, one);
-      if ((!sensors.displacement || displacement_.settled()) &&
-          (!sensors.force || force_.settled())) {
-        break;
-      }
+      VectorXd all(displacement_.scaled.size() + force_.scaled.size());
+      all << displacement_.scaled, force_.scaled;
+      gain_ = chi_squared_of(all, found.covariance);
+      if (displacement_.settled() && force_.settled()) break;
     }
-  }
-
-  /// χ² of the drifts of both sensors together, with the covariance of the last pass.
-  void set_gain(const JoinedColumns::Explained& found, const DriftPass& pass) {
-    VectorXd all(2 * terms_);
-    for (Index p = 0; p < terms_; ++p) {
-      all(p) = displacement_.drift[static_cast<std::size_t>(p)] / pass.length();
-      all(terms_ + p) = force_.drift[static_cast<std::size_t>(p)] / pass.force();
-    }
-    gain_ = all.dot(Eigen::LDLT<MatrixXd>(found.covariance).solve(all));
   }
 
   const RecordEvidence& evidence_;
@@ -165,7 +160,7 @@ class DriftSearch {
   Index terms_;
   double size_ = kFirstSize;
   double least_ = 0.0;  // gain of one sensor
-  double gain_ = 0.0;   // of both
+  double gain_ = 0.0;   // of all that are sought
   SensorFit displacement_ = {};
   SensorFit force_ = {};
 };

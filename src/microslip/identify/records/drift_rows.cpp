@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/records/drift_rows.hpp"
 
-#include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "microslip/identify/records/draw_reader.hpp"
@@ -10,9 +11,10 @@
 namespace microslip {
 namespace {
 
-/// τ of a sample.
-double time_of(std::size_t sample, std::size_t count) {
-  return static_cast<double>(sample) / static_cast<double>(count - 1);
+/// From τ^(p−1) of each sample to τ^p.
+void raise(std::vector<double>& powers) {
+  const auto last = static_cast<double>(powers.size() - 1);
+  for (std::size_t i = 0; i < powers.size(); ++i) powers[i] *= static_cast<double>(i) / last;
 }
 
 /// Means of the samples of each row.
@@ -39,13 +41,12 @@ std::vector<double> force_along(const Joint& joint, std::vector<double> path) {
 Eigen::MatrixXd force_drift_rows(const SettledRecords& settled, std::size_t record,
                                  Eigen::Index terms) {
   const RecordEvidence& evidence = settled.records->records[record];
-  const std::size_t count = evidence.measured().size();
   const std::vector<PathRow>& rows = evidence.rows().rows;
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows.size()), terms);
-  std::vector<double> power(count, 1.0);
+  std::vector<double> powers(evidence.measured().size(), 1.0);
   for (Eigen::Index p = 0; p < terms; ++p) {
-    for (std::size_t i = 0; i < count; ++i) power[i] *= time_of(i, count);
-    columns.col(p) = means_of_rows(rows, power);
+    raise(powers);
+    columns.col(p) = means_of_rows(rows, powers);
   }
   return columns;
 }
@@ -64,12 +65,11 @@ Eigen::MatrixXd displacement_drift_rows(const SettledRecords& settled, std::size
   const std::vector<double> force = force_along(joint, path);
   const double scale = 1.0 / (records.stiffness * records.length * size);
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows.size()), terms);
+  std::vector<double> powers(count, 1.0);
   for (Eigen::Index p = 0; p < terms; ++p) {
+    raise(powers);
     std::vector<double> moved = path;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double power = std::pow(time_of(i, count), static_cast<double>(p + 1));
-      moved[i] -= size * records.length * power;
-    }
+    for (std::size_t i = 0; i < count; ++i) moved[i] -= size * records.length * powers[i];
     std::vector<double> change = force_along(joint, std::move(moved));
     for (std::size_t i = 0; i < count; ++i) change[i] -= force[i];
     columns.col(p) = scale * means_of_rows(rows, change);
