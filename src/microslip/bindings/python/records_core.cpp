@@ -118,6 +118,7 @@ py::list fits_of(const IdentifiedRecords& done) {
   py::list all;
   for (std::size_t i = 0; i < done.source.size(); ++i) {
     const RecordFit& fit = done.found.records()->records[i];
+    const SensorDrift drift = done.drift[i] ? done.drift[i]->drift : SensorDrift{};
     py::list verdicts;
     for (const RecordVerdict& verdict : fit.verdicts) {
       verdicts.append(py::make_tuple(std::string(to_string(verdict.departure)), verdict.share,
@@ -125,8 +126,8 @@ py::list fits_of(const IdentifiedRecords& done) {
     }
     all.append(py::dict("source"_a = done.source[i], "start"_a = std::string(to_string(fit.start)),
                         "start_shown"_a = done.start[i].shown, "offset"_a = array_of(fit.offset),
-                        "displacement_drift"_a = array_of(done.drift[i].drift.displacement),
-                        "force_drift"_a = array_of(done.drift[i].drift.force),
+                        "displacement_drift"_a = array_of(drift.displacement),
+                        "force_drift"_a = array_of(drift.force),
                         "residual"_a = array_of(fit.residual), "scatter"_a = fit.scatter,
                         "correlation"_a = fit.correlation, "unexplained"_a = fit.unexplained,
                         "verdicts"_a = verdicts));

@@ -71,8 +71,9 @@ void set_sources(const RecordsIdentification& options, const IdentifiedRecords& 
     records[r].start_from = origin_of(done.start[r], options);
     records[r].source = done.source[r];
     records[r].input = done.input[r];
-    records[r].displacement_drift = done.drift[r].drift.displacement;
-    records[r].force_drift = done.drift[r].drift.force;
+    if (!done.drift[r]) continue;
+    records[r].displacement_drift = done.drift[r]->drift.displacement;
+    records[r].force_drift = done.drift[r]->drift.force;
   }
 }
 
@@ -91,16 +92,18 @@ std::string describe_drift(const std::vector<double>& drift, double deviation,
   return fmt::format("{:+.3g} {} (σ {:.1g})", drift_at(drift, 1.0), unit, deviation);
 }
 
-std::string describe_drift(const DriftFit& fit) {
+std::string describe_drift(const std::optional<DriftFit>& fit) {
+  if (!fit) return {};
   return line("", "drift subtracted, first to last sample:") +
          line("", "  displacement " +
-                      describe_drift(fit.drift.displacement, fit.displacement_std, "m")) +
-         line("", "  force " + describe_drift(fit.drift.force, fit.force_std, "N"));
+                      describe_drift(fit->drift.displacement, fit->displacement_std, "m")) +
+         line("", "  force " + describe_drift(fit->drift.force, fit->force_std, "N"));
 }
 
 std::string describe_record(const std::string& source, const RecordStart& start,
-                            const std::string& drift, const RecordFit& fit) {
-  return line("record", shortened(source, 56)) + line("", describe_start(start)) + drift +
+                            const std::optional<DriftFit>& drift, const RecordFit& fit) {
+  return line("record", shortened(source, 56)) + line("", describe_start(start)) +
+         describe_drift(drift) +
          line("", fmt::format("force scatters by {:.2g} N per sample; {} of it unexplained",
                               fit.scatter, percent_text(fit.unexplained)));
 }
@@ -120,7 +123,7 @@ struct Gathered {
   std::vector<std::string> source;
   std::vector<double> input;
   std::vector<RecordStart> start;
-  std::vector<DriftFit> drift;
+  std::vector<std::optional<DriftFit>> drift;
   std::vector<LevelEvidence> levels;
   std::vector<std::string> tables;
   std::vector<std::size_t> counts;
@@ -196,7 +199,8 @@ ReadyRecord ready_record(const ForceRecord& record, const RecordsIdentification&
 std::vector<Warning> drift_warnings(const IdentifiedRecords& done) {
   std::vector<Warning> warnings;
   for (std::size_t r = 0; r < done.drift.size(); ++r) {
-    const SensorDrift& drift = done.drift[r].drift;
+    if (!done.drift[r]) continue;
+    const SensorDrift& drift = done.drift[r]->drift;
     if (drift.displacement.empty() && drift.force.empty()) continue;
     const std::vector<RecordVerdict>& verdicts = done.found.records()->records[r].verdicts;
     if (std::ranges::none_of(verdicts, &RecordVerdict::broken)) continue;
@@ -221,7 +225,6 @@ IdentifiedRecords identify_records(const RecordsIdentification& options) {
                          .levels = std::move(all.counts),
                          .start = std::move(all.start),
                          .drift = std::move(all.drift),
-                         .drift_sought = options.fit_drift,
                          .inputs = std::move(all.inputs),
                          .found = identify({all.records, all.levels, all.source, all.tables},
                                            options.stiffness, options.options)};
@@ -252,8 +255,7 @@ std::string describe_identified_records(const IdentifiedRecords& done) {
   std::string text = describe_identification(done.found, done.source.size() + done.tables.size());
   std::string records;
   for (std::size_t r = 0; r < done.source.size(); ++r) {
-    records += describe_record(done.source[r], done.start[r],
-                               done.drift_sought ? describe_drift(done.drift[r]) : std::string(),
+    records += describe_record(done.source[r], done.start[r], done.drift[r],
                                done.found.records()->records[r]);
   }
   for (std::size_t t = 0; t < done.tables.size(); ++t) {

@@ -42,9 +42,9 @@ struct RecordsIdentification {
 /// A record as evidence of a joint: with the state that it begins in, and without the drift of its
 /// sensors where that is sought.
 struct ReadyRecord {
-  RecordEvidence evidence;  ///< without the drift
-  RecordStart start = {};   ///< detected where not given
-  DriftFit drift = {};      ///< that was subtracted
+  RecordEvidence evidence;             ///< without the drift
+  RecordStart start = {};              ///< detected where not given
+  std::optional<DriftFit> drift = {};  ///< that was subtracted; nothing where none was sought
 };
 
 /// @param record   as measured.
@@ -56,15 +56,14 @@ struct ReadyRecord {
 /// Result of identify_records(). Vectors of records have one entry each, in the order of
 /// `found.records()`.
 struct IdentifiedRecords {
-  std::vector<std::string> source = {};  ///< of each record
-  std::vector<double> input = {};        ///< number of the file of each record, from 1
-  std::vector<std::string> tables = {};  ///< of each table of levels: its file
-  std::vector<std::size_t> levels = {};  ///< of each: how many were used
-  std::vector<RecordStart> start = {};   ///< of each record; detected where not given
-  std::vector<DriftFit> drift = {};      ///< of each record; subtracted
-  bool drift_sought = false;             ///< whether drifts were sought
-  std::vector<InputHash> inputs = {};    ///< the files
-  Identification found;                  ///< with warnings of the files, too
+  std::vector<std::string> source = {};             ///< of each record
+  std::vector<double> input = {};                   ///< number of the file of each record, from 1
+  std::vector<std::string> tables = {};             ///< of each table of levels: its file
+  std::vector<std::size_t> levels = {};             ///< of each: how many were used
+  std::vector<RecordStart> start = {};              ///< of each record; detected where not given
+  std::vector<std::optional<DriftFit>> drift = {};  ///< of each record, as ReadyRecord::drift
+  std::vector<InputHash> inputs = {};               ///< the files
+  Identification found;                             ///< with warnings of the files, too
 };
 
 /// Warning `drift_uncertain` of each record whose drift was subtracted and that is of no Masing
