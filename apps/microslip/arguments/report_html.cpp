@@ -28,7 +28,8 @@ void name_options(ExperimentResults& results) {
   for (std::string& text : results.joint->warning_texts) text = with_option_names(text);
 }
 
-ReportDocument with_head(ReportDocument document, const ReportAbout& about) {
+ReportDocument document_of(const ExperimentResults& results, const ReportAbout& about) {
+  ReportDocument document = experiment_report(results);
   document.particulars = about.particulars;
   document.logo = about.logo;
   document.logo_type = about.logo_type;
@@ -45,19 +46,19 @@ std::string report_html(ExperimentResults results, const Call& call, bool pictur
                              {"report command", call.command_line}});
   if (pictures) {
     try {
-      return html_report(with_head(experiment_report(results), about));
+      return html_report(document_of(results, about));
     } catch (const Error& error) {
       const std::string text = fmt::format(
           "The pictures for print are missing; the browser draws them when printing: {}",
           error.what());
       results.warnings.push_back({"pictures_missing", text});
-      std::string html = html_report(with_head(experiment_report(results), about),
-                                     {.picture = {}});  // may fail as before
+      std::string html =
+          html_report(document_of(results, about), {.picture = {}});  // may fail as before
       if (!call.quiet) print_text(stderr, fmt::format("microslip: warning: {}\n", text));
       return html;
     }
   }
-  return html_report(with_head(experiment_report(results), about), {.picture = {}});
+  return html_report(document_of(results, about), {.picture = {}});
 }
 
 }  // namespace microslip::app

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "microslip/base/percent.hpp"
+#include "microslip/observe/sensor_drift.hpp"
 #include "microslip/report/figures/density_figure.hpp"
 #include "microslip/report/sections/prediction_reach.hpp"
 #include "microslip/report/sections/record_sections.hpp"
@@ -146,19 +146,14 @@ std::string banded_text(const BandedValue& value, double unit, std::string_view 
                      value.lower / unit, value.upper / unit);
 }
 
-/// Σ c_p: a drift at the last sample.
-double sum(const std::vector<double>& coefficients) {
-  return std::accumulate(coefficients.begin(), coefficients.end(), 0.0);
-}
-
 /// The drifts of both sensors over a record; empty where none was subtracted.
 std::string drift_text(const RecordFound& record) {
   std::string text;
   if (!record.displacement_drift.empty()) {
-    text = fmt::format("{:+.3g} µm", sum(record.displacement_drift) / kMicrometre);
+    text = fmt::format("{:+.3g} µm", drift_at(record.displacement_drift, 1.0) / kMicrometre);
   }
   if (!record.force_drift.empty()) {
-    text += fmt::format("{}{:+.3g} N", text.empty() ? "" : ", ", sum(record.force_drift));
+    text += fmt::format("{}{:+.3g} N", text.empty() ? "" : ", ", drift_at(record.force_drift, 1.0));
   }
   return text.empty() ? text : text + " from its first sample to its last";
 }
