@@ -491,23 +491,28 @@ TEST_F(Hdf5NetCdf, TakesTheRateOfATableFromItsAttributes) {
   EXPECT_EQ(read().recordings.at(0).channels.size(), 4U);
 }
 
+struct TimedRow {
+  std::int64_t time;
+  double force;
+};
+
+/// A table 'data' of three rows.
+void put_timed_rows(OtherFile& file, const std::vector<TimedRow>& rows) {
+  const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(TimedRow));
+  H5Tinsert(type, "time", HOFFSET(TimedRow, time), H5T_NATIVE_INT64);
+  H5Tinsert(type, "force", HOFFSET(TimedRow, force), H5T_NATIVE_DOUBLE);
+  file.dataset<TimedRow>("data", type, {3}, rows);
+  H5Tclose(type);
+}
+
 // pandas 1.5: whole nanoseconds, which doubles do not hold, by the attribute NAME_dtype.
 TEST_F(Hdf5NetCdf, TakesDatesOfATable) {
-  struct Row {
-    std::int64_t time;
-    double force;
-  };
   {
     OtherFile file(path_);
-    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
-    H5Tinsert(type, "time", HOFFSET(Row, time), H5T_NATIVE_INT64);
-    H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
     constexpr std::int64_t kStart = 1704067200000000123;  // 2024
-    file.dataset<Row>("data", type, {3},
-                      {{kStart, 1.0}, {kStart + 1'000'000, 2.0}, {kStart + 2'000'000, 3.0}});
+    put_timed_rows(file, {{kStart, 1.0}, {kStart + 1'000'000, 2.0}, {kStart + 2'000'000, 3.0}});
     file.text("data", "time_dtype", "datetime64");
     file.text("data", "units", "kN");  // of one field of two
-    H5Tclose(type);
   }
   const Recordings all = read();
   EXPECT_EQ(all.recordings.at(0).axis.start, 0.0);
@@ -588,18 +593,9 @@ TEST_F(Hdf5NetCdf, TakesTheTimesOfPyTables) {
 TEST_F(Hdf5NetCdf, TakesWholeNumbersSince1970) {
   constexpr std::int64_t kNanoseconds = 1704067200000000123;
   const auto of_table = [&](std::int64_t first, std::int64_t step, const char* unit) {
-    struct Row {
-      std::int64_t time;
-      double force;
-    };
     OtherFile file(path_);
-    const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
-    H5Tinsert(type, "time", HOFFSET(Row, time), H5T_NATIVE_INT64);
-    H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
-    file.dataset<Row>("data", type, {3},
-                      {{first, 1.0}, {first + step, 2.0}, {first + 2 * step, 3.0}});
+    put_timed_rows(file, {{first, 1.0}, {first + step, 2.0}, {first + 2 * step, 3.0}});
     if (unit != nullptr) file.text("data", "time_unit", unit);
-    H5Tclose(type);
   };
   const auto of_dataset = [&](std::int64_t first, std::int64_t step, const char* unit) {
     OtherFile file(path_);

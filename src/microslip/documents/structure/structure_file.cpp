@@ -182,9 +182,9 @@ void warn_of_repeated(const TomlTable& table, const StructuralMatrices& matrices
 /// says that nothing is missing.
 void warn_of_massless(const TomlTable& table, const StructuralMatrices& matrices,
                       std::vector<Warning>& warnings) {
-  if (!matrices.mass.is_open_ended) return;
+  if (!matrices.mass.is_open_ended || matrices.degrees.empty()) return;
   std::vector<bool> has_mass(matrices.degrees.size(), false);
-  for (std::size_t i = 0; i < matrices.mass.value.size() && !has_mass.empty(); ++i) {
+  for (std::size_t i = 0; i < matrices.mass.value.size(); ++i) {
     const std::int32_t row = matrices.mass.row[i];
     const std::int32_t column = matrices.mass.column[i];
     if (matrices.mass.value[i] == 0.0 && row != column) continue;

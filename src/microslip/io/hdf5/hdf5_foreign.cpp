@@ -349,12 +349,11 @@ class ForeignReader {
 
   /// Doubtful where a field is no time by its unit, or does not rise.
   static AxisRank rank_as_times(const Hdf5Field& field) {
-    const std::optional<Unit> unit = find_unit_of_points(field.unit);
+    const std::optional<Unit> unit = stated_unit_of_time(field.unit);
     const bool rises =
         std::ranges::adjacent_find(field.values, std::not_fn(std::less<>())) == field.values.end();
-    const bool is_time = rises && unit && !trimmed(field.unit).empty() && unit->dimension == kTime;
-    return is_time ? rank_as_axis(field.name, *unit).value_or(AxisRank::kDoubtful)
-                   : AxisRank::kDoubtful;
+    if (!unit || !rises) return AxisRank::kDoubtful;
+    return rank_as_axis(field.name, *unit).value_or(AxisRank::kDoubtful);
   }
 
   /// Scales that are the axis of no dataset are channels: a force may be over a displacement.

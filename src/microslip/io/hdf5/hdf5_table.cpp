@@ -264,9 +264,7 @@ std::string name_of(const Member& member, std::string& unit, const std::string& 
 }
 
 bool is_of_time(const std::string& name, const std::string& unit) {
-  if (is_one_of(name, kTimeNames)) return true;
-  const std::optional<Unit> known = find_unit_of_points(unit);
-  return known && !trimmed(unit).empty() && known->dimension == kTime;
+  return is_one_of(name, kTimeNames) || stated_unit_of_time(unit);
 }
 
 /// The names of the members without their units, which are cut from them.

@@ -50,10 +50,14 @@ void convert_three_bytes(const char* from, std::size_t stride, std::size_t count
   }
 }
 
+/// Whether bytes are in another order than in memory.
+/// @param big  whether the most significant byte is the first.
+bool swaps(bool big) { return big == (std::endian::native == std::endian::little); }
+
 /// Null where samples of this format are not known here.
 /// @param big  whether the most significant byte is the first.
 ConvertBytes converter_of(const WavFormat& format, bool big) {
-  const bool swap = big == (std::endian::native == std::endian::little);
+  const bool swap = swaps(big);
   if (format.code == kFloats) {
     if (format.sample() == sizeof(float)) return converter<float>(swap);
     return format.sample() == sizeof(double) ? converter<double>(swap) : nullptr;
@@ -113,8 +117,7 @@ class WavReader {
  private:
   template <class T>
   [[nodiscard]] T wav_value(std::string_view bytes, std::size_t at) const {
-    const bool swap = big_ == (std::endian::native == std::endian::little);
-    return value_of_bytes<T>(bytes.data() + at, swap);
+    return value_of_bytes<T>(bytes.data() + at, swaps(big_));
   }
 
   [[nodiscard]] WavFormat format_of(std::string_view chunk) const {

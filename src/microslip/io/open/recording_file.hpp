@@ -47,8 +47,7 @@ namespace microslip {
 /// @param options  see RecordingReadOptions.
 /// @throws FileError, FormatError, Cancelled  as the readers of the formats.
 /// @throws InputError  where an assumed unit does not fit, see assumed_units.hpp, or a variable is
-///                     named for another format; as check_rate() and
-///                     require_rate_used().
+///                     named for another format; as check_rate() and require_rate_used().
 [[nodiscard]] Recordings read_recordings(const std::string& path,
                                          const RecordingReadOptions& options);
 

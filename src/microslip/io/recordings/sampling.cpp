@@ -106,6 +106,12 @@ std::optional<Unit> find_unit_of_points(std::string_view text) {
   return Unit{.numerator = kSecondsOfDay, .dimension = kTime};
 }
 
+std::optional<Unit> stated_unit_of_time(std::string_view text) {
+  if (trimmed(text).empty()) return std::nullopt;
+  const std::optional<Unit> unit = find_unit_of_points(text);
+  return unit && unit->dimension == kTime ? unit : std::nullopt;
+}
+
 bool may_be_unit_of_points(std::string_view text, const Dimension& usual) {
   const std::optional<Unit> unit = find_unit_of_points(text);
   if (!unit || trimmed(text).empty() || unit->dimension == usual) return true;

@@ -76,6 +76,9 @@ struct PointsAxis {
 /// since DATE" (CF Conventions 1.10, section 4.4), counts as well. Nothing where it is not known.
 [[nodiscard]] std::optional<Unit> find_unit_of_points(std::string_view text);
 
+/// The unit, where it is stated and one of time.
+[[nodiscard]] std::optional<Unit> stated_unit_of_time(std::string_view text);
+
 /// Whether points of the usual dimension may have this unit: not where it is of another one.
 [[nodiscard]] bool may_be_unit_of_points(std::string_view text, const Dimension& usual);
 
