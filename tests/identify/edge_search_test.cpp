@@ -135,7 +135,7 @@ TEST(EdgeSearch, FindsNoneInDensitiesWithoutEdges) {
 TEST(EdgeSearch, DrawsHaveTheirEdgesAtDifferentPlaces) {
   const InversionResult result = inverted(testing::ramp(), 1);
   ASSERT_EQ(result.edges.size(), 1U);
-  ASSERT_GE(result.posterior.elsewhere.size(), 4U);
+  ASSERT_GE(result.posterior.others.size(), 4U);
   std::vector<double> places;
   for (const DensitySample& sample : result.posterior.samples(1, 250)) {
     std::size_t steepest = 1;

@@ -305,14 +305,14 @@ TEST(FewLevels, LeaveSofterJointsPossible) {
   }
 }
 
-// Coverage of bands of 4 to 12 levels, and how far the choice of λ is from the best of its path. No
-// band knows of peaks that no level shows: 0.71, 0.84 and 0.89 of the density lie within those of
-// 5, 8 and 12 levels with given σ, measured with other draws.
+// Coverage of bands of 4 to 12 levels, and how far the choice of λ is from the best of its path.
+// The band knows of peaks that no level shows, as two of three chains assume next to no smoothness.
 TEST(FewLevels, AreCoveredAndWellSmoothed) {
   MICROSLIP_STUDY();
   for (const bool given : {true, false}) {
     for (const std::size_t count : {4U, 5U, 6U, 8U, 12U}) {
       double mean = 0.0;
+      double worst = 1.0;
       double log_ratio = 0.0;
       constexpr std::uint64_t kDraws = 10;
       for (const Sliders& joint : joints()) {
@@ -341,10 +341,13 @@ TEST(FewLevels, AreCoveredAndWellSmoothed) {
                        static_cast<double>(kDraws * joints().size());
         }
         mean += covered / static_cast<double>(joints().size());
+        worst = std::min(worst, covered);
       }
       std::cout << "  " << count << " levels, σ " << (given ? "given" : "estimated")
-                << ": coverage " << mean << ", error over the best " << std::exp(log_ratio) << '\n';
-      EXPECT_GE(mean, count < 8 ? 0.65 : 0.80);
+                << ": coverage " << mean << ", worst " << worst << ", error over the best "
+                << std::exp(log_ratio) << '\n';
+      EXPECT_GE(mean, 0.90);
+      EXPECT_GE(worst, 0.80);
       EXPECT_LE(std::exp(log_ratio), 1.4);
     }
   }

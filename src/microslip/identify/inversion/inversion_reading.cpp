@@ -18,9 +18,11 @@ namespace {
 
 /// Closer to each other, relative, two knots are one; those of an edge are not.
 constexpr double kSameKnot = 1e-9;
-/// Few levels leave peaks and ends of a density possible that they do not show: the prior of its
-/// roughness is wide. Chosen in view of the coverage of bands of 4 to 12 levels.
-constexpr double kRougherOfFew = 1e-5;
+/// Few levels leave peaks and ends of a density possible that they do not show. Beside a chain that
+/// draws λ so many assume next to no smoothness: λx² of the largest coefficient x, so that a second
+/// difference may be 300 of it. Chosen in view of the coverage of bands of 4 to 12 levels.
+constexpr int kRoughChains = 2;
+constexpr double kHardlySmoothOfFew = 1e-5;
 /// Scatter of few levels, over that of the estimate.
 constexpr double kMostOfFew = 4.0;
 /// Deviation of LocalSmoothing where L may have a trend.
@@ -162,7 +164,6 @@ PossibleSmoothing possible_smoothing(const InversionModel& model) {
   if (model.lambda_fixed) return possible;
   possible.least = of_unit * model.path.back().lambda;
   possible.most = of_unit * model.path.front().lambda;
-  if (model.few_levels()) possible.least *= kRougherOfFew;
   return possible;
 }
 
@@ -211,6 +212,14 @@ DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& l
   return posterior;
 }
 
+/// The posterior with next to no smoothness; with more, the more levels there are to choose it.
+DensityPosterior hardly_smooth(const InversionModel& model, DensityPosterior posterior) {
+  const double largest = std::max(1.0, model.solution().solution.x.maxCoeff());
+  const double lambda = std::pow(kHardlySmoothOfFew, model.few_share()) / (largest * largest);
+  posterior.smoothing = {.least = lambda, .most = lambda, .chosen = lambda};
+  return posterior;
+}
+
 }  // namespace
 
 void read_model(const InversionModel& model, const std::vector<InversionModel>& elsewhere,
@@ -223,7 +232,11 @@ void read_model(const InversionModel& model, const std::vector<InversionModel>& 
   summarise(model, result.summary);
   result.posterior = posterior_of(model, levels, result.slip_force);
   for (const InversionModel& other : elsewhere) {
-    result.posterior.elsewhere.push_back(posterior_of(other, levels, result.slip_force));
+    result.posterior.others.push_back(posterior_of(other, levels, result.slip_force));
+  }
+  if (model.few_levels() && !model.lambda_fixed) {
+    const DensityPosterior rough = hardly_smooth(model, result.posterior);
+    result.posterior.others.insert(result.posterior.others.end(), kRoughChains, rough);
   }
   result.smoothing_trend = model.trend;
   for (const double s : model.basis().edges()) {

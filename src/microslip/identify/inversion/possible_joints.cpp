@@ -23,8 +23,9 @@ namespace {
 /// −2 ln p of the coefficients above its minimum: of three deviations, and of 95 %.
 constexpr double kThreeDeviations = 9.0;
 constexpr double kNineteenOfTwenty = 3.841;
-/// λ over the smallest of the path.
+/// λ over the smallest of the path, and that of few levels.
 constexpr double kHardlySmooth = 1e-3;
+constexpr double kHardlySmoothOfFewest = 1e-8;
 /// Steps of the weight of the goal until that is reached, and how near is near enough.
 constexpr int kSteps = 8;
 constexpr double kNear = 0.1;
@@ -60,8 +61,8 @@ PossibleCoefficients::PossibleCoefficients(const InversionResult& result)
     : program_(view_of(result.posterior.area), 1.0), free_(result.posterior.area.size(), true) {
   const DensityPosterior& posterior = result.posterior;
   const bool given = posterior.smoothing.least == posterior.smoothing.most;
-  const double lambda =
-      given ? posterior.smoothing.chosen : kHardlySmooth * posterior.smoothing.least;
+  const double share = posterior.reaches_limits ? kHardlySmoothOfFewest : kHardlySmooth;
+  const double lambda = given ? posterior.smoothing.chosen : share * posterior.smoothing.least;
   const auto penalty = matrix_of(posterior.penalty);
   hessian_ = lambda * penalty.transpose() * penalty;
   linear_.setZero(hessian_.cols());

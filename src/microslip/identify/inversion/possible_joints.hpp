@@ -11,7 +11,8 @@
 ///     −2 ln p(x) ≤ min + z²,   x ≥ 0,   ∫φ df* ≤ 1,
 ///
 /// z deviations of a normal distribution without these limits. Of the smoothness next to nothing is
-/// assumed: λ is a thousandth of the smallest of the path, or the one that was given.
+/// assumed: λ is a thousandth of the smallest of the path, of few levels 1e−8, or the one that was
+/// given.
 
 namespace microslip {
 

@@ -167,10 +167,10 @@ void DensityPosterior::check() const {
     throw InputError("largest smoothing of the posterior", smoothing.most,
                      "must not be below the smallest", std::string(kUnchanged));
   }
-  for (const DensityPosterior& other : elsewhere) {
+  for (const DensityPosterior& other : others) {
     other.check();
-    check_length("slip_force elsewhere", other.slip_force.size(), slip_force.size());
-    check_length("places elsewhere", other.elsewhere.size(), 0);
+    check_length("slip_force of another", other.slip_force.size(), slip_force.size());
+    check_length("others of another", other.others.size(), 0);
   }
 }
 
@@ -180,17 +180,17 @@ std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::si
   check();
   check_memory("draws of the density", static_cast<double>(count), bytes_of_draw(slip_force.size()),
                "Take fewer.");
-  std::vector<const DensityPosterior*> places{this};
-  for (const DensityPosterior& other : elsewhere) places.push_back(&other);
+  std::vector<const DensityPosterior*> posteriors{this};
+  for (const DensityPosterior& other : others) posteriors.push_back(&other);
   std::vector<ChainTarget> targets;
-  for (const DensityPosterior* place : places) targets.push_back(chain_target(*place));
+  for (const DensityPosterior* posterior : posteriors) targets.push_back(chain_target(*posterior));
   std::vector<DensitySample> all(count);
   DrawCounter counter(count, progress);
   const std::size_t length = chain_length();
   execution.for_each((count + length - 1) / length, [&](std::size_t number) {
-    const DensityPosterior& place = *places[number % places.size()];
-    const ChainTarget& target = targets[number % places.size()];
-    PosteriorChain chain(target, chain_start(place, target));
+    const DensityPosterior& drawn = *posteriors[number % posteriors.size()];
+    const ChainTarget& target = targets[number % posteriors.size()];
+    PosteriorChain chain(target, chain_start(drawn, target));
     RandomStream random(seed, number);
     chain.settle(random);
     for (std::size_t i = number * length; i < std::min(count, (number + 1) * length); ++i) {
@@ -199,7 +199,7 @@ std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::si
       if (common_errors.loss_factor_std > 0.0) chain.set_error(errors.loss_factor);
       const Eigen::VectorXd& x = chain.next(random);
       const bool projected = reaches_limits && i % 2 == 1;
-      all[i] = read_sample(place, projected ? chain.projected(random).x : x);
+      all[i] = read_sample(drawn, projected ? chain.projected(random).x : x);
       apply_gains(slip_force, errors, all[i]);
       counter.count();
     }

@@ -77,16 +77,17 @@ struct DensityPosterior {
   /// limits at once, so that the area of each is above one that may be true.
   bool reaches_limits = false;
 
-  /// Posteriors with the edges of the density at other places, each as likely as this; with the
-  /// same knots. Chains alternate between them. None where the density has no edges.
-  std::vector<DensityPosterior> elsewhere = {};
+  /// Posteriors under other assumptions, each as likely as this, with the same knots: the edges of
+  /// the density at other places, or of few levels next to no smoothness. Chains alternate between
+  /// them. None where many levels show no edges.
+  std::vector<DensityPosterior> others = {};
 
   /// @throws InputError  where its parts do not belong together, or it is empty.
   void check() const;
 
-  /// Draws in one chain: many where the edges have one place, fewer where chains are to visit
+  /// Draws in one chain: many where there is one posterior, fewer where chains are to visit
   /// several.
-  [[nodiscard]] std::size_t chain_length() const { return elsewhere.empty() ? 250 : 25; }
+  [[nodiscard]] std::size_t chain_length() const { return others.empty() ? 250 : 25; }
 
   /// Draws 0 … count − 1 of a seed, with λ, l and s drawn, too, by PosteriorChain: exact but
   /// for the memory of the chain of its start. Draw i is in chain number i/chain_length(), which
