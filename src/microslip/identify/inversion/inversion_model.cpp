@@ -217,6 +217,7 @@ InversionModel::InversionModel(const ScaledLevels& levels, const InversionBasis&
       informative_rows_(columns.informative_rows),
       known_(columns.known),
       few_share_(columns.few_share),
+      deviations_given_(levels.evidence.dissipation_std_given()),
       known_softening_(columns.prior_softening),
       unresolved_(unresolved_of(levels, columns.weights)),
       problem_([&] {

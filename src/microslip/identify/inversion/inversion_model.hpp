@@ -78,6 +78,9 @@ class InversionModel {
   [[nodiscard]] double few_share() const { return few_share_; }
   [[nodiscard]] bool few_levels() const { return few_share_ > 0.0; }
 
+  /// Whether σ of D was given: then weights are its reciprocals, and the scatter is near 1.
+  [[nodiscard]] bool deviations_given() const { return deviations_given_; }
+
   /// The same of k_eq: prior knowledge alone.
   [[nodiscard]] const KnownScatter& known_softening_scatter() const { return known_softening_; }
 
@@ -161,6 +164,7 @@ class InversionModel {
   double informative_rows_;
   KnownScatter known_;
   double few_share_;
+  bool deviations_given_;
   KnownScatter known_softening_;
   double unresolved_;  // of the scatter, below which nothing is proved
   SmoothingProblem problem_;

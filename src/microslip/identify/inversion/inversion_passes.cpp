@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,8 @@ constexpr double kLeastExponent = -0.9;
 /// More points than this do not improve a slope.
 constexpr Eigen::Index kSlopePoints = 200;
 
+constexpr double kMostOfGiven = 4.0;
+
 /// χ₀: the median slope of ln d over ln a between levels far enough apart, less 3. [Theil & Sen]
 double reference_exponent(const ScaledLevels& levels, const Eigen::VectorXd& d) {
   const Eigen::ArrayXd x = levels.amplitude.array().log();
@@ -32,6 +35,21 @@ double reference_exponent(const ScaledLevels& levels, const Eigen::VectorXd& d) 
     }
   }
   return std::clamp(median(std::move(slopes)) - 3.0, kLeastExponent, 0.0);
+}
+
+/// A density that leaves more than four times the deviations that were given is not chosen where
+/// another of the path leaves less: where none of the low levels slips, the wide prior of a density
+/// with a gap is less likely than a scatter of a hundred of them.
+double most_residual(const InversionModel& model) {
+  if (!model.deviations_given()) return std::numeric_limits<double>::infinity();
+  const KnownScatter& known = model.known_scatter();
+  const auto rows = static_cast<double>(model.problem().rows());
+  double least = std::numeric_limits<double>::infinity();
+  for (const SmoothingPoint& point : model.path) {
+    if (point.edf > model.most_edf) continue;
+    least = std::min(least, (point.residual + known.square) / (rows + known.freedom - point.edf));
+  }
+  return kMostOfGiven * kMostOfGiven * rows * std::max(1.0, least);
 }
 
 /// ω of each second difference: larger, up to 3 times, where an earlier pass found little density.
@@ -99,7 +117,9 @@ void run_path(InversionModel& model, const InversionOptions& options, std::size_
   model.path = problem.path(lambdas);
   for (const SmoothingPoint& point : model.path) inner.add(point.solution);
   model.lambda_fixed = options.lambda.has_value();
-  if (!model.lambda_fixed) model.chosen = choose(model.path, options.rule, model.most_edf);
+  if (!model.lambda_fixed) {
+    model.chosen = choose(model.path, options.rule, {model.most_edf, most_residual(model)});
+  }
   const SmoothingPoint& point = model.solution();
   const PathScatter scatter = estimate_scatter(model, point.residual, point.edf);
   model.scatter = scatter.value;

@@ -51,7 +51,7 @@ SettledRecords run_pass(const RecordsPointer& records, const RecordPass& setting
   SettledRecords pass{records, RecordModel(*records, settings), {}, settings};
   const SmoothingProblem& problem = pass.model.problem();
   std::vector<SmoothingPoint> path = problem.path(problem.lambda_grid(kPathPoints));
-  pass.best = std::move(path[choose(path, SmoothingRule::kReml, problem.most_edf())]);
+  pass.best = std::move(path[choose(path, SmoothingRule::kReml, {problem.most_edf()})]);
   return pass;
 }
 

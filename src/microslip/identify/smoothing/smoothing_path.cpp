@@ -207,7 +207,8 @@ double SmoothingProblem::most_edf() const {
   return std::max(static_cast<double>(unpenalised_) + 0.2, std::min(0.7 * m, m - 3.0));
 }
 
-std::size_t choose(const std::vector<SmoothingPoint>& path, SmoothingRule rule, double most_edf) {
+std::size_t choose(const std::vector<SmoothingPoint>& path, SmoothingRule rule,
+                   const SmoothingBounds& bounds) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const auto best_of = [&](const auto& score) {
     std::size_t best = 0;
@@ -216,13 +217,12 @@ std::size_t choose(const std::vector<SmoothingPoint>& path, SmoothingRule rule, 
     }
     return best;
   };
-  const std::size_t likeliest = best_of([&](const SmoothingPoint& point) {
-    return point.edf > most_edf ? kNever : point.likelihood;
-  });
+  const std::size_t likeliest = best_of(
+      [&](const SmoothingPoint& point) { return bounds.hold(point) ? point.likelihood : kNever; });
   if (rule == SmoothingRule::kReml) return likeliest;
   const double bound = path[likeliest].likelihood + kLikelihoodGuard;
   return best_of([&](const SmoothingPoint& point) {
-    return point.edf > most_edf || point.likelihood > bound ? kNever : point.gcv;
+    return bounds.hold(point) && point.likelihood <= bound ? point.gcv : kNever;
   });
 }
 

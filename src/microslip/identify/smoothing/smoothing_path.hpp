@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -135,8 +136,18 @@ struct InnerSolutions {
   }
 };
 
+/// What a point of a path may have to be chosen.
+struct SmoothingBounds {
+  double most_edf = 0.0;
+  double most_residual = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool hold(const SmoothingPoint& point) const {
+    return point.edf <= most_edf && point.residual <= most_residual;
+  }
+};
+
 /// Index of the chosen point of a path. @param path  not empty.
 [[nodiscard]] std::size_t choose(const std::vector<SmoothingPoint>& path, SmoothingRule rule,
-                                 double most_edf);
+                                 const SmoothingBounds& bounds);
 
 }  // namespace microslip
