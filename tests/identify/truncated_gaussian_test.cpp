@@ -175,5 +175,25 @@ TEST(TruncatedGaussian, RepeatsWithItsSeed) {
   EXPECT_NE(draw(6), draw(7));
 }
 
+// A trajectory that is ended at a limit leaves x on it, and the next may go outwards from there:
+// draws of few levels once had 1.5 times the area of the budget, the first of these chains 11
+// times.
+TEST(TruncatedGaussian, StaysWithinLimitsThatItStartsOn) {
+  constexpr Eigen::Index kSize = 6;
+  const VectorXd budget = VectorXd::LinSpaced(kSize, 0.3, 0.7);
+  for (std::uint64_t chain = 0; chain < 400; ++chain) {
+    RandomStream random(5, chain);
+    VectorXd linear(kSize);
+    for (double& value : linear) value = 3.0 + random.normal();  // the mean is beyond the budget
+    TruncatedGaussian gaussian({kSize, budget});
+    gaussian.set(MatrixXd::Identity(kSize, kSize), linear);
+    VectorXd x = VectorXd::Constant(kSize, 0.1);
+    for (int i = 0; i < 20; ++i) {
+      gaussian.move(x, random, i % 4 == 3 ? TruncatedGaussian::kNoEnd : 1);
+      ASSERT_LE(budget.dot(x), 1.0 + 1e-12) << chain << ", " << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace microslip::truncated_gaussian_test

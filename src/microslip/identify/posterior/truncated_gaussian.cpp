@@ -112,7 +112,8 @@ TruncatedGaussian::Hit TruncatedGaussian::next_hit(double before, Eigen::Index l
     const double reach = std::sqrt(p * p + v * v);
     if (reach <= std::abs(offset_(j)) || p + offset_(j) > hit.time * reach) continue;
     double time = std::acos(-offset_(j) / reach) + std::atan2(v, p);
-    if (time < 0.0) time += 2.0 * std::numbers::pi;
+    // On the limit, and going out: before, by rounding, is now.
+    if (time < 0.0) time = time > -kJustLeft ? 0.0 : time + 2.0 * std::numbers::pi;
     if (time >= hit.time || (j == last && time < kJustLeft)) continue;
     hit = {time, j};
   }
