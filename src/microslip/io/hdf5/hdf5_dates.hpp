@@ -21,13 +21,11 @@ namespace microslip {
 struct WholeTimes {
   std::vector<double> values;
   std::string unit;                     ///< as in the file, or found by their size
-  std::optional<Warning> warning = {};  ///< where it was found so, or may be another
+  std::optional<Warning> warning = {};  ///< where it was found so
 };
 
-/// Of whole numbers without a unit those of 12 digits or more count from 1970, in milliseconds,
-/// microseconds or nanoseconds: no test is so long. They are given from the first on, as are those
-/// whose steps doubles do not hold to 1e-6; others are as they are. Without a unit a step of 10 or
-/// more causes a warning.
+/// Whole numbers without a unit that count from 1970 (counted_unit()) are given from the first on,
+/// as are those whose steps doubles do not hold to 1e-6; others are as they are.
 /// @param unit   as in the file; empty: none.
 /// @param place  of the numbers, for the warning.
 [[nodiscard]] WholeTimes whole_times(std::span<const std::int64_t> numbers, const std::string& unit,

@@ -402,7 +402,8 @@ class ForeignReader {
                             const std::string& place, const Sampling& sampling) {
     const std::size_t count = points.size();
     try {
-      PointsOrFault read{axis_of_points({std::move(points), unit, usual, place}, sampling.step)};
+      PointsOrFault read{axis_of_points({std::move(points), unit, usual, place}, sampling.step,
+                                        result_.warnings)};
       auto warning = contradicting_rate(read.points, sampling.step, name, path_);
       if (warning) result_.warnings.push_back(*std::move(warning));
       return read;

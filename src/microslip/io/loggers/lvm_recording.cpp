@@ -295,13 +295,14 @@ class LvmReader {
           {place_of(channel), fmt::format("{} x for its {} values", x.values.size(), size)});
       return std::nullopt;
     }
+    const std::string_view label = trimmed(section.entry("X_Unit_Label", from));
     PointsAxis points = axis_of_points(
         {.points = {x.values.begin(), x.values.begin() + static_cast<std::ptrdiff_t>(size)},
-         .unit = std::string(section.entry("X_Unit_Label", from)),
+         .unit = label.empty() && unit.dimension == kTime ? "s" : std::string(label),
          .usual = unit.dimension,
          .place = path_,
          .printed = x.digits},
-        step ? step : common_step(section, from, unit));
+        step ? step : common_step(section, from, unit), result_.warnings);
     auto warning = contradicting_rate(points, step, x.name, place_of(channel));
     if (warning) result_.warnings.push_back(*std::move(warning));
     if (step && !points.axis.even()) {

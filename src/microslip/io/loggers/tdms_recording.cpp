@@ -171,7 +171,8 @@ class TdmsGroups {
                     "let LabVIEW or DIAdem save it as numbers in its unit");
     } else if (!axes.points && is_points(object, scaled.values)) {
       axes.points = axis_of_points(
-          {std::move(scaled.values), unit_of(object.properties), kTime, place_of(object)}, {});
+          {std::move(scaled.values), unit_of(object.properties), kTime, place_of(object)}, {},
+          result_.warnings);
       axes.name_of_points = object.channel;
     } else if (scaled.values.size() > 1) {
       channels.push_back({&object, {}});
@@ -248,13 +249,13 @@ class TdmsGroups {
            may_be_points(object.channel, values);
   }
 
-  PointsAxis points_of_times(const TdmsObject& object) const {
+  PointsAxis points_of_times(const TdmsObject& object) {
     std::vector<double> points;
     points.reserve(object.times.size());
     for (const TdmsTime& time : object.times) {
       points.push_back(seconds_between(object.times.front(), time));
     }
-    return axis_of_points({std::move(points), "s", kTime, place_of(object)}, {});
+    return axis_of_points({std::move(points), "s", kTime, place_of(object)}, {}, result_.warnings);
   }
 
   /// The axis of a channel that states no increment.

@@ -158,7 +158,7 @@ void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& w
   scope.axis_name = points.name;
   scope.axis = axis_of_points(
       {points.value->real, points.unit, usual, fmt::format("{}: {}", scope.place, points.name)},
-      scope.sampling.step);
+      scope.sampling.step, warnings);
   auto warning = contradicting_rate(*scope.axis, scope.sampling.step, points.name, scope.place);
   if (warning) warnings.push_back(*std::move(warning));
   arrays.erase(arrays.begin() + static_cast<std::ptrdiff_t>(index));

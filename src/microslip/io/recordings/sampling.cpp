@@ -12,6 +12,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/recordings/doubtful_unit.hpp"
+#include "microslip/io/recordings/unitless_times.hpp"
 
 namespace microslip {
 namespace {
@@ -21,9 +22,8 @@ constexpr std::string_view kUntimed = "points_untimed";
 constexpr std::string_view kRateOption = "`rate`";
 constexpr double kEvenAsStated = 0.01;
 
-bool lies_evenly(const std::vector<double>& points, double step, double tolerance) {
-  const double largest = std::max(std::abs(points.front()), std::abs(points.back()));
-  const double off = tolerance * step + 4.0 * std::numeric_limits<double>::epsilon() * largest;
+/// @param off  by which points may be.
+bool lies_evenly(const std::vector<double>& points, double step, double off) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double expected = points.front() + static_cast<double>(i) * step;
     if (!(std::abs(points[i] - expected) <= off)) return false;
@@ -65,6 +65,101 @@ std::string names_of(const Recording& recording) {
     names += (names.empty() ? "" : ", ") + in_quotes(channel.name);
   }
   return names;
+}
+
+/// Of numbers in any unit: whole ones up to this are exact as doubles, 2⁵³, and as singles, 2²⁴.
+constexpr double kExactDoubles = 9007199254740992.0;
+constexpr double kExactSingles = 16777216.0;
+/// As if whole numbers had been printed: each is rounded to its unit at most.
+constexpr PrintedDigits kWholeNumbers{.decimals = 0,
+                                      .significant = std::numeric_limits<double>::max_digits10};
+
+bool are_whole(const std::vector<double>& points, double largest) {
+  return std::ranges::all_of(
+      points, [&](double v) { return std::abs(v) <= largest && v == std::trunc(v); });
+}
+
+/// Whether numbers were rounded to whole ones, as stored integers are, and to nothing coarser.
+bool are_rounded_to_whole(const std::vector<double>& points) {
+  return are_whole(points, kExactSingles) ||
+         (are_whole(points, kExactDoubles) && !are_singles(points));
+}
+
+/// The step of whole numbers that lie exactly evenly: nothing was rounded.
+std::optional<double> whole_step(const std::vector<double>& points) {
+  if (points.size() < 2 || !are_whole(points, kExactDoubles)) return std::nullopt;
+  const double step = points[1] - points[0];
+  const auto other = std::ranges::adjacent_find(
+      points, [&](double before, double then) { return then - before != step; });
+  return step > 0.0 && other == points.end() ? std::optional(step) : std::nullopt;
+}
+
+/// Times without a unit may tell it by their size; true where they count from 1970.
+bool take_unit_by_size(PointsInFile& file, std::vector<Warning>& warnings) {
+  const bool has_unit = !trimmed(file.unit).empty() || file.usual != kTime;
+  if (has_unit || file.points.size() < 2) return false;
+  if (const CountedUnit* const counted = counted_unit(file.points.front())) {
+    file.unit = counted->unit;
+    warnings.push_back(since_1970(*counted, file.place));
+    return true;
+  }
+  if (!are_whole(file.points, kExactDoubles)) return false;
+  auto doubt = doubtful_seconds(file.points[1] - file.points[0], file.place);
+  if (doubt) warnings.push_back(*std::move(doubt));
+  return false;
+}
+
+void begin_at_zero(std::vector<double>& points) {
+  const double first = points.front();
+  for (double& point : points) point -= first;
+}
+
+/// What of points is known before they are brought to SI.
+struct StoredPoints {
+  bool are_text;
+  double rounding = 0.0;  ///< by which doubles may be off
+  bool are_singles;
+  std::optional<PrintedDigits> printed;  ///< also of whole numbers
+  std::optional<double> exact_step;      ///< of whole numbers
+};
+
+StoredPoints stored_points(const PointsInFile& file) {
+  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
+  StoredPoints stored{.are_text = file.printed.has_value(),
+                      .are_singles = file.points.size() > 1 && are_singles(file.points),
+                      .printed = file.printed,
+                      .exact_step = {}};
+  if (stored.are_text || file.points.empty()) return stored;
+  stored.rounding =
+      kRounding * std::max(std::abs(file.points.front()), std::abs(file.points.back()));
+  if (are_rounded_to_whole(file.points)) stored.printed = kWholeNumbers;
+  stored.exact_step = whole_step(file.points);
+  return stored;
+}
+
+/// @param points  in SI, which were in `unit`.
+/// @param stated  the step that is stated elsewhere; 0: none.
+Axis axis_of(std::vector<double> points, const Unit& unit, const StoredPoints& stored,
+             double stated) {
+  const auto even = [&](double step) {
+    return Axis{.dimension = unit.dimension, .start = points.front(), .step = step, .values = {}};
+  };
+  const auto is_even = [&](double step, double tolerance) {
+    const double off = tolerance * step + stored.rounding * unit.factor();
+    return points.size() > 1 && step > 0.0 && lies_evenly(points, step, off);
+  };
+  if (!stored.are_text && is_even(stated, kEvenAsStated)) return even(stated);
+  if (stored.exact_step) return even(unit.to_si(*stored.exact_step));
+  if (stored.printed && rise(points)) {
+    const auto axis = axis_of_stated_step(points, unit, *stored.printed, stated);
+    return axis ? *axis : axis_from_printed(std::move(points), unit, *stored.printed);
+  }
+  const double mean =
+      points.size() < 2 ? 0.0
+                        : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
+  if (stored.are_singles && mean > 0.0) return axis_from_singles(std::move(points), unit);
+  if (is_even(mean, kEven)) return even(mean);
+  return {.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = std::move(points)};
 }
 
 Unit unit_of_axis(const PointsInFile& file) {
@@ -122,39 +217,16 @@ std::string points_of_unknown_unit(std::string_view name, std::string_view unit)
   return fmt::format("{} in {}, an unknown unit", in_quotes(name), in_quotes(unit));
 }
 
-PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step) {
-  std::vector<double>& points = file.points;
+PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step,
+                          std::vector<Warning>& warnings) {
+  const bool from_first = take_unit_by_size(file, warnings);
   const Unit unit = unit_of_axis(file);
-  const bool singles = points.size() > 1 && are_singles(points);
-  scale(points, unit);
-  PointsAxis result;
-  result.axis.dimension = unit.dimension;
-  result.points = points.size();
-  const double stated = unit.dimension == kTime ? stated_step.value_or(0.0) : 0.0;  // 0: none
-  const auto is_even = [&](double step, double tolerance) {
-    return points.size() > 1 && step > 0.0 && lies_evenly(points, step, tolerance);
-  };
-  const double mean =
-      points.size() < 2 ? 0.0
-                        : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
-  if (file.printed && rise(points)) {
-    const auto axis = axis_of_stated_step(points, unit, *file.printed, stated);
-    result.axis = axis ? *axis : axis_from_printed(std::move(points), unit, *file.printed);
-    return result;
-  }
-  if (is_even(stated, kEvenAsStated)) {
-    result.axis.step = stated;
-  } else if (singles && mean > 0.0) {
-    result.axis = axis_from_singles(std::move(points), unit);
-    return result;
-  } else if (is_even(mean, kEven)) {
-    result.axis.step = mean;
-  } else {
-    result.axis.values = std::move(points);
-    return result;
-  }
-  result.axis.start = points.front();
-  return result;
+  const StoredPoints stored = stored_points(file);
+  const std::size_t count = file.points.size();
+  if (from_first) begin_at_zero(file.points);
+  scale(file.points, unit);
+  const double step = unit.dimension == kTime ? stated_step.value_or(0.0) : 0.0;
+  return {.axis = axis_of(std::move(file.points), unit, stored, step), .points = count};
 }
 
 std::optional<Warning> contradicting_rate(const PointsAxis& points,

@@ -92,11 +92,14 @@ struct PointsInFile {
 };
 
 /// Points that rise in even steps but for rounding become start and step, others stay as they are.
-/// Even means: off by at most 1e-6 steps; where all are numbers of single precision, or were
-/// printed, by as much as their rounding explains (even_axis.hpp); where the step of times is
-/// stated elsewhere, by at most 0.01 of it.
+/// Even means: off by at most 1e-6 steps; where all are whole numbers or of single precision, or
+/// were printed, by as much as their rounding explains (even_axis.hpp); where the step of times is
+/// stated elsewhere, by at most 0.01 of it. Whole numbers that are exactly even keep their step.
+/// Times without a unit that count from 1970 (counted_unit()) are given from the first on, with a
+/// warning; whole ones in long steps cause one as well (doubtful_seconds()).
 /// @throws InputError  where find_unit_of_points() does not know the unit.
-[[nodiscard]] PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step);
+[[nodiscard]] PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step,
+                                        std::vector<Warning>& warnings);
 
 /// A warning where times are even in another step than what the file states by its rate or
 /// interval, by more than 0.01 of it: the times are used.
