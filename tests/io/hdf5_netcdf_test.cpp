@@ -701,6 +701,43 @@ TEST_F(Hdf5NetCdf, TakesAFieldInAUnitOfTimeForTheAxis) {
   EXPECT_EQ(read().recordings.at(0).channels.size(), 4U) << "it does not rise";
 }
 
+// A table of a frequency response with what else is known at each frequency.
+TEST_F(Hdf5NetCdf, TakesTheFrequencyOfATableBesideTimesThatRise) {
+  struct Row {
+    double first;
+    double second;
+    double force;
+  };
+  const auto read = [&](const char* first, const char* second) {
+    {
+      OtherFile file(path_);
+      const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+      H5Tinsert(type, first, HOFFSET(Row, first), H5T_NATIVE_DOUBLE);
+      H5Tinsert(type, second, HOFFSET(Row, second), H5T_NATIVE_DOUBLE);
+      H5Tinsert(type, "force [N]", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
+      file.dataset<Row>("data", type, {3}, {{1.0, 10.0, 3.0}, {2.0, 20.0, 1.0}, {3.0, 30.0, 2.0}});
+      H5Tclose(type);
+    }
+    return this->read();
+  };
+  const auto warnings = [&](const char* first, const char* second, const Axis& axis) {
+    const Recordings all = read(first, second);
+    EXPECT_EQ(all.recordings.at(0).axis, axis) << first << ' ' << second;
+    std::string codes;
+    for (const Warning& warning : all.warnings) codes += warning.code;
+    return codes;
+  };
+  const Axis frequency{kFrequency, 10.0, 10.0, {}};
+  EXPECT_EQ(warnings("group delay [s]", "frequency [Hz]", frequency), "");
+  EXPECT_EQ(warnings("tau [s]", "Frequency [Hz]", frequency), "axis_chosen");
+  EXPECT_EQ(warnings("tau [s]", "Drive freq [Hz]", frequency), "axis_chosen");
+  const Axis time{kTime, 1.0, 1.0, {}};
+  EXPECT_EQ(warnings("elapsed [s]", "frequency [Hz]", time), "");
+  EXPECT_EQ(warnings("time [s]", "frequency [Hz]", time), "");
+  EXPECT_EQ(warnings("tau [s]", "speed [Hz]", time), "");
+  EXPECT_EQ(warnings("delay [s]", "coherence", time), "") << "there is nothing else";
+}
+
 TEST_F(Hdf5NetCdf, NamesWhyATableIsNoRecording) {
   const auto fault = [&](std::vector<hsize_t> sizes, bool numbers) {
     {

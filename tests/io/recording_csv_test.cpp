@@ -122,6 +122,9 @@ TEST(RecordingCsv, TheAxisIsTheFirstColumnOfTimeOrFrequency) {
   EXPECT_EQ(r.axis.step, 1.0);
   EXPECT_EQ(r.channels[0].name, "a");
   EXPECT_EQ(r.channels[1].name, "delay");
+  EXPECT_EQ(read("frequency [Hz],delay [s],H [m/N]\n1,0.1,2\n2,0.3,3\n").axis.dimension,
+            kFrequency);
+  EXPECT_EQ(read("delay [s],H [m/N]\n1,2\n2,3\n").axis.dimension, kTime);
   const Recording f = read("f [kHz],H [m/N]\n1,2\n2,3\n4,3\n");
   EXPECT_EQ(f.axis.dimension, kFrequency);
   EXPECT_EQ(f.axis.values, (Numbers{1000.0, 2000.0, 4000.0}));

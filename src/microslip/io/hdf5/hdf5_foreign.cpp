@@ -308,7 +308,9 @@ class ForeignReader {
                                     const std::optional<AxisBeside>& beside) {
     const Sampling sampling = sampling_of(dataset.handle.id(), known, dataset.place);
     std::optional<PointsOrFault> read;
-    if (const auto [found, usual] = points_of_table(table); found != table.fields.end()) {
+    if (const auto [found, usual] =
+            points_of_table(table, dataset.place, sampling.step.has_value());
+        found != table.fields.end()) {
       Hdf5Field field = std::move(*found);
       table.fields.erase(found);
       read = read_points(std::move(field.values), field.unit, usual, field.name, dataset.place,
@@ -325,9 +327,13 @@ class ForeignReader {
     return std::nullopt;
   }
 
+  using FieldOfTable = std::vector<Hdf5Field>::iterator;
+
   /// The field of the points and what they usually are: a time by its name, else one that rises in
-  /// a unit of time, else a frequency by its name; the end where there is none.
-  static std::pair<std::vector<Hdf5Field>::iterator, Dimension> points_of_table(Hdf5Table& table) {
+  /// a unit of time, else a frequency by its name; the end where there is none. A span of time
+  /// will do where there is no rate.
+  std::pair<FieldOfTable, Dimension> points_of_table(Hdf5Table& table, const std::string& place,
+                                                     bool has_rate) {
     const auto named = [&](const auto& names, const Dimension& usual) {
       auto found = table.fields.end();
       for (const char* name : names) {
@@ -342,17 +348,45 @@ class ForeignReader {
     if (const auto found = named(kTimeNames, kTime); found != table.fields.end()) {
       return {found, kTime};
     }
-    const auto rising = std::ranges::min_element(table.fields, {}, rank_as_times);
-    if (rank_as_times(*rising) <= AxisRank::kLongTime) return {rising, kTime};
-    return {named(kFrequencyNames, kFrequency), kFrequency};
+    const FieldOfTable rising = std::ranges::min_element(table.fields, {}, rank_as_times);
+    if (rank_as_times(*rising) > AxisRank::kLongTime) {
+      const FieldOfTable frequency = named(kFrequencyNames, kFrequency);
+      const bool is_span = rank_as_times(*rising) == AxisRank::kSpan && !has_rate;
+      if (is_span && frequency == table.fields.end()) return {rising, kTime};
+      return {frequency, kFrequency};
+    }
+    const FieldOfTable frequency = the_frequency(table);
+    if (is_named_as_time(rising->name) || frequency == table.fields.end()) return {rising, kTime};
+    result_.warnings.push_back(
+        {"axis_chosen",
+         fmt::format("{}: {} is taken for the axis, though {} rises in a unit of time. Name the "
+                     "latter 'time' where it is the axis",
+                     place, in_quotes(frequency->name), in_quotes(rising->name))});
+    return {frequency, kFrequency};
+  }
+
+  /// The field that is called frequency and is the only one in Hz that rises; the end: none.
+  static FieldOfTable the_frequency(Hdf5Table& table) {
+    const auto rises_in_hertz = [](const Hdf5Field& field) {
+      const std::optional<Unit> unit = find_unit_of_points(field.unit);
+      return unit && unit->dimension == kFrequency && rises(field);
+    };
+    if (std::ranges::count_if(table.fields, rises_in_hertz) != 1) return table.fields.end();
+    const auto found = std::ranges::find_if(table.fields, rises_in_hertz);
+    return quantity_of_name(found->name) == kFrequency || is_one_of(found->name, kFrequencyNames)
+               ? found
+               : table.fields.end();
+  }
+
+  static bool rises(const Hdf5Field& field) {
+    return std::ranges::adjacent_find(field.values, std::not_fn(std::less<>())) ==
+           field.values.end();
   }
 
   /// Doubtful where a field is no time by its unit, or does not rise.
   static AxisRank rank_as_times(const Hdf5Field& field) {
     const std::optional<Unit> unit = stated_unit_of_time(field.unit);
-    const bool rises =
-        std::ranges::adjacent_find(field.values, std::not_fn(std::less<>())) == field.values.end();
-    if (!unit || !rises) return AxisRank::kDoubtful;
+    if (!unit || !rises(field)) return AxisRank::kDoubtful;
     return rank_as_axis(field.name, *unit).value_or(AxisRank::kDoubtful);
   }
 
@@ -402,8 +436,8 @@ class ForeignReader {
                             const std::string& place, const Sampling& sampling) {
     const std::size_t count = points.size();
     try {
-      PointsOrFault read{axis_of_points({std::move(points), unit, usual, place}, sampling.step,
-                                        result_.warnings)};
+      PointsOrFault read{
+          axis_of_points({std::move(points), unit, usual, place}, sampling.step, result_.warnings)};
       auto warning = contradicting_rate(read.points, sampling.step, name, path_);
       if (warning) result_.warnings.push_back(*std::move(warning));
       return read;

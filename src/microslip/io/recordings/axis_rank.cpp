@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/recordings/axis_rank.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string>
+
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
 #include "microslip/signal/recording/quantity_name.hpp"
@@ -8,12 +12,19 @@
 namespace microslip {
 namespace {
 
+/// Of spans of time, which are given over something else.
+bool names_a_span(std::string_view name) {
+  constexpr std::array kSpans{"DELAY", "LATENCY", "PERIOD", "DURATION"};
+  const std::string capitals = in_capitals(name);
+  return std::ranges::any_of(
+      kSpans, [&](const char* span) { return capitals.find(span) != std::string::npos; });
+}
+
 AxisRank rank_of_time(std::string_view name, const Unit& unit) {
   if (axis_dimension(name) == kTime) return AxisRank::kNamedTime;
+  if (names_a_span(name)) return AxisRank::kSpan;
   if (unit.to_si(1.0) <= 1.0) return AxisRank::kTimeUnit;
-  const bool named =
-      quantity_of_name(name) == kTime || in_capitals(name).find("ELAPSED") != std::string::npos;
-  return named ? AxisRank::kLongTime : AxisRank::kDoubtful;
+  return is_named_as_time(name) ? AxisRank::kLongTime : AxisRank::kDoubtful;
 }
 
 AxisRank rank_of_frequency(std::string_view name, const Unit& unit) {
@@ -22,6 +33,10 @@ AxisRank rank_of_frequency(std::string_view name, const Unit& unit) {
 }
 
 }  // namespace
+
+bool is_named_as_time(std::string_view name) {
+  return quantity_of_name(name) == kTime || in_capitals(name).find("ELAPSED") != std::string::npos;
+}
 
 std::optional<AxisRank> rank_as_axis(std::string_view name, const Unit& unit) {
   if (unit.dimension == kTime) return rank_of_time(name, unit);

@@ -258,7 +258,7 @@ std::optional<AxisRank> RecordingCsvHeader::axis_rank(std::size_t i,
   }
   const bool frequency =
       (column.dimension ? column.dimension : axis_dimension(column.name)) == kFrequency;
-  const bool doubtful = rank == AxisRank::kUnknownUnit || rank == AxisRank::kDoubtful;
+  const bool doubtful = rank && *rank >= AxisRank::kSpan;
   return rate_ && (frequency || doubtful) ? std::nullopt : rank;
 }
 
