@@ -589,6 +589,35 @@ TEST_F(Hdf5NetCdf, TakesTheTimesOfPyTables) {
   }
 }
 
+// Arrays of PyTables, of Time64Col and Time32Col: 1704067200.25 s and 0.5 s each later.
+TEST_F(Hdf5NetCdf, TakesDatasetsOfTimes) {
+  constexpr std::int64_t kStart = std::int64_t{1704067200} << 32;
+  for (const bool has_force : {true, false}) {
+    {
+      OtherFile file(path_);
+      file.dataset<std::int64_t>(
+          "time", H5T_UNIX_D64LE, {3},
+          {kStart + 250000, kStart + 750000, kStart + (std::int64_t{1} << 32) + 250000});
+      if (has_force) {
+        file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+        file.dataset<std::int32_t>("clock", H5T_UNIX_D32LE, {3},
+                                   {1704067200, 1704067201, 1704067203});
+      }
+    }
+    if (!has_force) {
+      EXPECT_NE(message().find("expected a dataset of two numbers or more, found 'time' alone"),
+                std::string::npos)
+          << message();
+      continue;
+    }
+    const Recording recording = read().recordings.at(0);
+    EXPECT_EQ(recording.axis.step, 0.5);
+    EXPECT_EQ(recording.axis.start, 0.0);
+    EXPECT_EQ(recording.channel("clock").values, (std::vector{0.0, 1.0, 3.0}));
+    EXPECT_EQ(recording.channel("clock").dimension, kTime);
+  }
+}
+
 // h5py has no type of dates: users write numpy.datetime64 as int64.
 TEST_F(Hdf5NetCdf, TakesWholeNumbersSince1970) {
   constexpr std::int64_t kNanoseconds = 1704067200000000123;

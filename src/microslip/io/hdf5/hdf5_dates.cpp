@@ -27,6 +27,30 @@ bool is_large_integer(hid_t type) {
   return H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == sizeof(std::int64_t);
 }
 
+bool is_hdf5_time(hid_t type) {
+  return H5Tget_class(type) == H5T_TIME &&
+         (H5Tequal(type, H5T_UNIX_D32LE) > 0 || is_time_of_pairs(type));
+}
+
+bool is_time_of_pairs(hid_t type) { return H5Tequal(type, H5T_UNIX_D64LE) > 0; }
+
+std::int64_t time_in_nanoseconds(std::int64_t bits, bool is_pair) {
+  constexpr std::int64_t kSecond = 1'000'000'000;
+  constexpr std::int64_t kMicrosecond = 1'000;
+  const auto lower = static_cast<std::int32_t>(bits);
+  return is_pair ? kSecond * (bits >> 32) + kMicrosecond * lower : kSecond * lower;
+}
+
+std::vector<double> seconds_from_first(std::span<const std::int64_t> nanoseconds) {
+  constexpr double kNanosecond = 1e-9;
+  std::vector<double> seconds;
+  seconds.reserve(nanoseconds.size());
+  for (const std::int64_t date : nanoseconds) {
+    seconds.push_back(kNanosecond * static_cast<double>(difference(date, nanoseconds.front())));
+  }
+  return seconds;
+}
+
 WholeTimes whole_times(std::span<const std::int64_t> numbers, const std::string& unit,
                        const std::string& place) {
   WholeTimes times{.values = {}, .unit = unit};

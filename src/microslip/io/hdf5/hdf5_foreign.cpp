@@ -227,7 +227,10 @@ class ForeignReader {
   void sort_in(std::vector<Dataset>& datasets, Sampling& sampling, const std::string& name,
                const std::string& place, Hdf5Handle handle) {
     const Hdf5Content content = hdf5_content(handle.id());
-    if (content != Hdf5Content::kReal && content != Hdf5Content::kComplex) return;
+    if (content != Hdf5Content::kReal && content != Hdf5Content::kComplex &&
+        content != Hdf5Content::kTimes) {
+      return;
+    }
     if (is_bare_dimension(handle.id(), place)) return;
     Dataset dataset{name, place, std::move(handle)};
     const std::vector<hsize_t> sizes = hdf5_sizes(dataset.handle.id());
@@ -420,6 +423,10 @@ class ForeignReader {
   /// Times that a dataset gives; whole numbers may find its unit.
   [[nodiscard]] std::vector<double> read_times(hid_t dataset, const std::string& place,
                                                std::string& unit) {
+    if (hdf5_content(dataset) == Hdf5Content::kTimes) {
+      unit = "s";
+      return read_hdf5_times(dataset, place);
+    }
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
     const bool is_packed =
         H5Aexists(dataset, "scale_factor") > 0 || H5Aexists(dataset, "add_offset") > 0;
@@ -447,6 +454,11 @@ class ForeignReader {
     }
   }
 
+  static bool may_give_points(const Dataset& dataset, const Dimension& usual) {
+    const Hdf5Content content = hdf5_content(dataset.handle.id());
+    return content == Hdf5Content::kReal || (content == Hdf5Content::kTimes && usual == kTime);
+  }
+
   /// The dataset of the points, removed from the others.
   std::optional<AxisBeside> read_axis(std::vector<Dataset>& datasets, const Sampling& sampling) {
     const auto take = [&](const char* name, const Dimension& usual) -> std::optional<AxisBeside> {
@@ -454,7 +466,7 @@ class ForeignReader {
       std::string unit;
       const auto found = std::ranges::find_if(datasets, [&](const Dataset& d) {
         if (d.name != name || d.sides.size() != 1) return false;
-        if (hdf5_content(d.handle.id()) != Hdf5Content::kReal) return false;
+        if (!may_give_points(d, usual)) return false;
         unit = text_of(d.handle.id(), kUnitNames, d.place);
         if (!may_be_unit_of_points(unit, usual)) return false;
         points = usual == kTime ? read_times(d.handle.id(), d.place, unit)
@@ -612,12 +624,16 @@ class ForeignReader {
     const Hdf5Packing packing = hdf5_packing(id, dataset.place, netcdf_);
     first.attributes = attributes_of(dataset, packing);
     if (!packing.applies) warn_of_packing(dataset);
-    const std::string unit = text_of(id, kUnitNames, dataset.place);
+    const bool are_times = hdf5_content(id) == Hdf5Content::kTimes;
+    const std::string unit = are_times ? "s" : text_of(id, kUnitNames, dataset.place);
     std::vector<Channel> channels;
     if (dataset.sides.size() == 2) {
       channels = read_matrix(dataset, first, along);
     } else if (hdf5_content(id) == Hdf5Content::kReal) {
       read_hdf5_real(id, first.values, dataset.place);
+      channels.push_back(std::move(first));
+    } else if (are_times) {
+      first.values = read_hdf5_times(id, dataset.place);
       channels.push_back(std::move(first));
     } else {
       read_hdf5_complex(id, first.values, first.imaginary, dataset.place);
@@ -722,7 +738,12 @@ class ForeignReader {
       throw FormatError({.file = place}, "a dataset or a table of numbers", found,
                         "Store each column as a dataset of its own; pandas: to_csv.");
     }
-    throw FormatError({.file = path_}, "a dataset of two numbers or more", "none");
+    const auto with_axis = std::ranges::find_if(
+        groups_, [](const GroupRead& group) { return group.axis.has_value(); });
+    throw FormatError({.file = path_}, "a dataset of two numbers or more",
+                      with_axis == groups_.end()
+                          ? "none"
+                          : fmt::format("{} alone", in_quotes(with_axis->axis->name)));
   }
 
   std::string path_;

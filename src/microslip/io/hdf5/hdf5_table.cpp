@@ -63,13 +63,6 @@ struct Member {
   [[nodiscard]] bool is_date() const { return stored > Stored::kWholeTimes; }
 };
 
-/// HDF5 has types of times, which it does not convert.
-Stored stored_time(hid_t type) {
-  if (H5Tequal(type, H5T_UNIX_D32LE) > 0) return Stored::kSeconds;
-  if (H5Tequal(type, H5T_UNIX_D64LE) > 0) return Stored::kPairs;
-  return Stored::kOther;
-}
-
 /// pandas names the type of a column in the attribute NAME_dtype.
 bool is_date(hid_t dataset, const std::string& name, const std::string& place) {
   const std::string type = hdf5_text(dataset, (name + "_dtype").c_str(), place).value_or("");
@@ -77,7 +70,7 @@ bool is_date(hid_t dataset, const std::string& name, const std::string& place) {
 }
 
 Stored stored_number(hid_t dataset, const std::string& name, hid_t type, const std::string& place) {
-  if (H5Tget_class(type) == H5T_TIME) return stored_time(type);
+  if (is_hdf5_time(type)) return is_time_of_pairs(type) ? Stored::kPairs : Stored::kSeconds;
   if (!is_hdf5_number(type)) return Stored::kOther;
   return is_date(dataset, name, place) ? Stored::kNanoseconds : Stored::kNumbers;
 }
@@ -185,25 +178,15 @@ std::vector<std::vector<double>> read_numbers(hid_t dataset, const std::vector<M
 
 std::int64_t bits_of(double number) { return std::bit_cast<std::int64_t>(number); }
 
-/// Whole nanoseconds of a date by the bits that were read.
-std::int64_t nanoseconds_of(Stored stored, std::int64_t bits) {
-  constexpr std::int64_t kSecond = 1'000'000'000;
-  constexpr std::int64_t kMicrosecond = 1'000;
-  const auto lower = static_cast<std::int32_t>(bits);
-  if (stored == Stored::kSeconds) return kSecond * lower;
-  if (stored == Stored::kPairs) return kSecond * (bits >> 32) + kMicrosecond * lower;
-  return bits;
-}
-
-/// From dates to seconds from the first on: doubles do not hold dates.
+/// From dates to seconds from the first on.
 void make_seconds(Stored stored, std::vector<double>& dates) {
-  constexpr double kNanosecond = 1e-9;
-  if (dates.empty()) return;
-  const std::int64_t first = nanoseconds_of(stored, bits_of(dates.front()));
-  for (double& date : dates) {
-    const std::int64_t nanoseconds = nanoseconds_of(stored, bits_of(date));
-    date = kNanosecond * static_cast<double>(difference(nanoseconds, first));
-  }
+  std::vector<std::int64_t> nanoseconds(dates.size());
+  std::ranges::transform(dates, nanoseconds.begin(), [&](double date) {
+    const std::int64_t bits = bits_of(date);
+    return stored == Stored::kNanoseconds ? bits
+                                          : time_in_nanoseconds(bits, stored == Stored::kPairs);
+  });
+  dates = seconds_from_first(nanoseconds);
 }
 
 /// The field of whole numbers by the bits that were read.

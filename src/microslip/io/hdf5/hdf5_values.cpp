@@ -10,6 +10,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/hdf5/hdf5_dates.hpp"
 #include "microslip/io/hdf5/hdf5_handle.hpp"
 #include "microslip/io/hdf5/reading_worker.hpp"
 
@@ -187,6 +188,7 @@ Hdf5Content hdf5_content(hid_t dataset) {
   if (is_hdf5_number(type.id())) return Hdf5Content::kReal;
   if (is_complex(type.id())) return Hdf5Content::kComplex;
   if (H5Tequal(type.id(), H5T_STD_REF_OBJ) > 0) return Hdf5Content::kReferences;
+  if (is_hdf5_time(type.id())) return Hdf5Content::kTimes;
   return H5Tget_class(type.id()) == H5T_COMPOUND ? Hdf5Content::kTable : Hdf5Content::kOther;
 }
 
@@ -229,6 +231,20 @@ std::vector<std::int64_t> read_hdf5_integers(hid_t dataset, const std::string& p
   std::vector<std::int64_t> values;
   read_all(dataset, H5T_NATIVE_INT64, values, place);
   return values;
+}
+
+std::vector<double> read_hdf5_times(hid_t dataset, const std::string& place) {
+  const bool are_pairs = is_time_of_pairs(type_of(dataset).id());
+  std::vector<std::int64_t> times;
+  if (are_pairs) {
+    read_all(dataset, H5T_UNIX_D64LE, times, place);
+  } else {
+    std::vector<std::int32_t> seconds;
+    read_all(dataset, H5T_UNIX_D32LE, seconds, place);
+    times.assign(seconds.begin(), seconds.end());
+  }
+  for (std::int64_t& time : times) time = time_in_nanoseconds(time, are_pairs);
+  return seconds_from_first(times);
 }
 
 void read_hdf5_complex(hid_t dataset, std::vector<double>& real, std::vector<double>& imaginary,

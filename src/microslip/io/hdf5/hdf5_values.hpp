@@ -23,10 +23,10 @@ namespace microslip {
 /// The length along each dimension; empty for a single value and where there is none.
 [[nodiscard]] std::vector<hsize_t> hdf5_sizes(hid_t dataset);
 
-enum class Hdf5Content { kReal, kComplex, kReferences, kTable, kOther };
+enum class Hdf5Content { kReal, kComplex, kReferences, kTable, kTimes, kOther };
 
-/// Values of a dataset; a table has named fields. Complex numbers are compounds of two: `{r, i}` or
-/// `{real, imag}`.
+/// Values of a dataset; a table has named fields, times are of a type of HDF5 (is_hdf5_time()).
+/// Complex numbers are compounds of two: `{r, i}` or `{real, imag}`.
 [[nodiscard]] Hdf5Content hdf5_content(hid_t dataset);
 
 /// Whether its values are floating-point numbers of four bytes.
@@ -37,6 +37,8 @@ enum class Hdf5Content { kReal, kComplex, kReferences, kTable, kOther };
 void read_hdf5_real(hid_t dataset, std::vector<double>& values, const std::string& place);
 /// The same of whole numbers of eight bytes.
 [[nodiscard]] std::vector<std::int64_t> read_hdf5_integers(hid_t dataset, const std::string& place);
+/// Seconds from the first on, of Hdf5Content::kTimes.
+[[nodiscard]] std::vector<double> read_hdf5_times(hid_t dataset, const std::string& place);
 void read_hdf5_complex(hid_t dataset, std::vector<double>& real, std::vector<double>& imaginary,
                        const std::string& place);
 
