@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -197,6 +199,28 @@ TEST(RecordingFile, AColonIsPartOfANameThatIsThere) {
 }
 
 // ---- Writing. ----
+
+// Its reader would open it again, and wait for ever.
+TEST(RecordingFile, RefusesAPipeThatIsNoCsv) {
+  const test::TemporaryFolder folder;
+  const std::string pipe = folder.file("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& head :
+       {"TDSm"s + std::string(24, '\0'), "\x89HDF\r\n\x1A\n"s,
+        "MATLAB 5.0 MAT-file"s + std::string(200, ' '), "    -1\n    58\n"s, "RIFF    WAVEfmt "s}) {
+    const auto through = [&](const auto& read) {
+      std::thread writer([&] { test::put(pipe, head); });
+      const std::string message = message_of<Error>(read);
+      writer.join();
+      return message;
+    };
+    const std::string expected = pipe +
+                                 ": is a pipe or a device, which supports recordings in CSV only. "
+                                 "Save them in a file and name that.";
+    EXPECT_EQ(through([&] { return read_recordings(pipe, {}); }), expected) << head;
+    EXPECT_EQ(through([&] { return recording_format(pipe); }), expected) << head;
+  }
+}
 
 TEST(RecordingFile, CsvHoldsOneRecording) {
   const test::TemporaryFolder folder;

@@ -86,10 +86,18 @@ RecordingFormat format_of(std::string_view head, const std::string& name) {
   throw FormatError({name, 0, 0}, kExpected, found, remedy_for_signature(found));
 }
 
-void require_rewind(InputStream& file) {
-  if (file.rewind()) return;
-  throw FileError(file.name(), "is a pipe, which supports recordings in CSV only",
+[[noreturn]] void fail_as_pipe(const InputStream& file) {
+  throw FileError(file.name(), "is a pipe or a device, which supports recordings in CSV only",
                   "Save them in a file and name that.");
+}
+
+void require_rewind(InputStream& file) {
+  if (!file.rewind()) fail_as_pipe(file);
+}
+
+/// What is not CSV is opened again, for which a pipe would wait.
+void require_file(const InputStream& file, RecordingFormat format) {
+  if (format != RecordingFormat::kCsv && !file.size()) fail_as_pipe(file);
 }
 
 /// By readers that open the file themselves.
@@ -131,6 +139,7 @@ Recordings read_format(InputStream& file, const PartOfFile& part,
     throw FileError(file.name(), "supports only recordings in CSV or a universal file",
                     "Save them in a file and name that.");
   }
+  require_file(file, format);
   return read_by_path(part, format, options);
 }
 
@@ -189,6 +198,7 @@ RecordingFormat recording_format(const std::string& path) {
   InputStream file(path);
   const RecordingFormat format = format_of(file.peek(kKindHeadSize), file.name());
   if (path == "-") require_rewind(file);
+  require_file(file, format);
   return format;
 }
 
