@@ -64,6 +64,10 @@ TEST(AboutFile, NamesThePlaceOfAFault) {
   EXPECT_EQ(fault("order = 12\n"), "about.toml:2:9: order = 12; must be a text in quotes");
   EXPECT_NE(fault("logo = \"none.png\"\n").find("none.png: cannot be read"), std::string::npos);
   test::put(folder.file("a.pdf"), "%PDF-1.4\n");
+  test::put(folder.file("a.png"), "\x89PNG\r\n\x1A\n" + std::string(1U << 20U, 'x') + "IEND");
+  EXPECT_EQ(
+      fault("logo = \"a.png\"\n"),
+      "a.png: is larger than 1 MiB, the most for a logo. Save the picture with fewer pixels.");
   EXPECT_EQ(fault("logo = \"a.pdf\"\n"),
             "a.pdf: expected a picture in PNG, JPEG or SVG, found a PDF document");
   test::put(folder.file("a.png"), "");

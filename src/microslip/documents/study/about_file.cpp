@@ -54,7 +54,7 @@ bool is_whole(std::string_view bytes, std::string_view type) {
 
 void read_logo(const TomlTable& table, std::string_view file, ReportAbout& about) {
   const std::string path = file_beside(std::string(file), line_in(table, "logo"));
-  about.logo = read_file(path, kLargestLogo);
+  about.logo = read_file_head(path, kLargestLogo + 1);
   about.logo_type = picture_type(about.logo);
   if (about.logo_type.empty()) {
     const std::string_view found = signature(about.logo);
@@ -62,6 +62,10 @@ void read_logo(const TomlTable& table, std::string_view file, ReportAbout& about
                       about.logo.empty() ? "an empty file"
                       : found.empty()    ? "other contents"
                                          : found);
+  }
+  if (about.logo.size() > kLargestLogo) {
+    throw FileError(path, "is larger than 1 MiB, the most for a logo",
+                    "Save the picture with fewer pixels.");
   }
   if (is_whole(about.logo, about.logo_type)) return;
   throw FormatError({path, 0, 0}, "the end of the picture", "the end of the file",
