@@ -216,6 +216,27 @@ TEST_F(MatOther, LeavesOutAStructWithoutAnyWholeChannel) {
   EXPECT_NE(message().find("channel 'spare', point 1 = nan; must be finite"), std::string::npos);
 }
 
+TEST_F(MatOther, LeavesOutAStructWhoseTimesAreNotWhole) {
+  const double nan = std::nan("");
+  const auto put_struct = [&](bool beside_others) {
+    OtherMat file(path_);
+    if (beside_others) file.add_struct("good", {{"time", {0, 1, 2}}, {"force", {1, 2, 3}}});
+    file.add_struct("bad", {{"time", {0, nan, 2, 3}}, {"acc", {1, 2, 3, 4}}});
+  };
+  put_struct(true);
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].channel("force").values.size(), 3U);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "recording_left_out");
+  EXPECT_EQ(read.warnings[0].text,
+            path_ +
+                ": the recording 'a.mat:bad' of 'acc' is left out: channel 'axis', point 2 = "
+                "nan; must be finite. Cut the record where it is whole.");
+  put_struct(false);
+  EXPECT_NE(message().find("channel 'axis', point 2 = nan"), std::string::npos) << message();
+}
+
 // libmatio 1.5.23 counts two bytes for each letter of a compressed text and writes one: its
 // variable claims more than the compressed data hold. Scilab writes so by default.
 TEST_F(MatOther, ReadsTextsOfScilab) {

@@ -162,6 +162,21 @@ Axis axis_of(std::vector<double> points, const Unit& unit, const StoredPoints& s
   return {.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = std::move(points)};
 }
 
+/// Why a recording cannot be read; empty where it can.
+std::string fault_of(const Recording& recording, const std::string& place) {
+  if (!has_whole_channel(recording)) {
+    return "each of its channels has values that are missing or not finite. Cut it where it is "
+           "whole";
+  }
+  try {
+    check_read(recording, place);
+  } catch (const InputError& error) {
+    const std::string_view text = error.what();
+    return std::string(text.substr(text.starts_with(place) ? place.size() + 2 : 0));
+  }
+  return {};
+}
+
 Unit unit_of_axis(const PointsInFile& file) {
   if (trimmed(file.unit).empty()) return Unit{.dimension = file.usual};
   if (const std::optional<Unit> found = find_unit_of_points(file.unit)) return *found;
@@ -306,14 +321,17 @@ void check_foreign(Recordings& read, const std::string& place) {
       read.warnings.push_back({"channel_left_out", fmt::format("{}: {}", place, reason)});
     }
   }
-  if (std::ranges::any_of(read.recordings, has_whole_channel)) {
+  const auto is_whole = [&](const Recording& recording) {
+    return fault_of(recording, place).empty();
+  };
+  if (std::ranges::any_of(read.recordings, is_whole)) {
     std::erase_if(read.recordings, [&](const Recording& recording) {
-      if (has_whole_channel(recording)) return false;
+      const std::string fault = fault_of(recording, place);
+      if (fault.empty()) return false;
       read.warnings.push_back(
           {"recording_left_out",
-           fmt::format("{}: the recording {} of {} is left out: each of its channels has values "
-                       "that are missing or not finite. Cut it where it is whole",
-                       place, in_quotes(recording.source), names_of(recording))});
+           fmt::format("{}: the recording {} of {} is left out: {}", place,
+                       in_quotes(recording.source), names_of(recording), fault)});
       return true;
     });
   }

@@ -124,7 +124,7 @@ void add_channel(std::vector<Recording>& recordings, const std::string& source, 
 void check_read(const Recording& recording, const std::string& place);
 
 /// check_read() of all recordings, after channels without a value at some point have been left out,
-/// with a warning each, and beside others recordings that have no other channels.
+/// with a warning each, and beside others recordings that have no other channels or that fail.
 void check_foreign(Recordings& read, const std::string& place);
 
 /// For WithoutAxis::found: points in a unit that is not known.
