@@ -527,6 +527,29 @@ TEST_F(Tdms, TakesTimesFromAChannel) {
   EXPECT_EQ(read.recordings[0].axis.step, 0.25);
 }
 
+// LabVIEW writes 0 where it knows no step.
+TEST_F(Tdms, TakesAnIncrementOf0ForNone) {
+  const std::string zero = number("wf_increment", 0);
+  const auto force = [&](const std::vector<std::string>& properties) {
+    return object(kForcePath, index_of(kI16, 3), properties);
+  };
+  const Recordings timed = this->read(
+      segment(kAll, {object("/'Run'/'Time'", index_of(kDouble, 3), {zero}), force({zero})},
+              values<double>({1.0, 1.25, 1.5}) + values<std::int16_t>({1, 2, 3})));
+  EXPECT_EQ(timed.recordings.at(0).axis, (Axis{kTime, 1.0, 0.25, {}}));
+  const Recordings later =
+      this->read(segment(kAll, {force({number("wf_increment", 0.5)})}, rising(3)) +
+                 segment(kMetadata | kRaw, {object(kForcePath, kSame, {zero})}, rising(3)));
+  EXPECT_EQ(later.recordings.at(0).axis.step, 0.5) << "stated before";
+  EXPECT_EQ(later.recordings[0].size(), 6U);
+  const std::string alone = segment(kAll, {force({zero})}, rising(3));
+  EXPECT_NE(message(alone).find("found a wf_increment of 0. Write waveforms whose wf_increment is "
+                                "their step, or give `rate`."),
+            std::string::npos)
+      << message(alone);
+  EXPECT_EQ(this->read(alone, {.rate = 8.0}).recordings.at(0).axis.step, 0.125);
+}
+
 constexpr std::uint32_t kExtended = 11;
 
 TEST_F(Tdms, LeavesOutTypesThatItDoesNotRead) {

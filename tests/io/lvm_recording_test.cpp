@@ -230,6 +230,49 @@ TEST_F(LvmFiles, JoinSectionsThatGoOnByTheirTime) {
   }
 }
 
+// x go on, and the clock says that 9 s are missing, or that the section is of the day before.
+TEST_F(LvmFiles, TellOfAClockThatJumps) {
+  const auto section = [&](const std::string& date, const std::string& time, std::size_t first) {
+    return "Channels\t2\t\t\r\n" +
+           fmt::format("Date\t{0}\t{0}\t\r\nTime\t{1}\t{1}\t\r\n", date, time) + kSteps + kSection +
+           kTwo + text_of({kRows[first], kRows[first + 1]}) + "\r\n";
+  };
+  const auto jumps = [&](const std::string& date, const std::string& time) {
+    const Recordings read = this->read(
+        file_header("One") + section("2026/11/29", "10:00:00.25", 0) + section(date, time, 2));
+    EXPECT_EQ(read.recordings.at(0).channel("Force").values, (Values{1, 2, 3, 4}));
+    return has_warning(read, "time_jumps");
+  };
+  EXPECT_TRUE(jumps("2026/11/29", "10:00:09.25"));
+  EXPECT_TRUE(jumps("2026/11/28", "10:00:00.25"));
+  EXPECT_FALSE(jumps("2026/11/29", "10:00:00.25")) << "when the measurement began";
+  EXPECT_FALSE(jumps("2026/11/29", "10:00:00.252"));
+  EXPECT_FALSE(jumps("2026/11/29", "10:00:00.7")) << "when the section was written";
+}
+
+TEST_F(LvmFiles, MayHaveLessPointsThanValues) {
+  const Lines rows{kRows[0], kRows[1], "\t3\t7", "\t4\t8"};
+  const Recordings read =
+      this->read(file_header("One") + kUnits + kSteps + kSection + kTwo + text_of(rows));
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].axis, (Axis{kTime, 0.0, 1e-3, {}}));
+  EXPECT_EQ(read.recordings[0].channel("Force").values, (Values{1, 2, 3, 4}));
+  EXPECT_TRUE(has_warning(read, "points_missing"));
+  test::put(path_, file_header("One") + kUnits + kSection + kTwo + text_of(rows));
+  const std::string message = message_of<Error>([&] { return read_recordings(path_, {}); });
+  EXPECT_NE(message.find("found 2 x for its 4 values"), std::string::npos) << message;
+}
+
+TEST_F(LvmFiles, NameThePlaceWherePointsFall) {
+  test::put(path_, file_header("One") + kUnits + kSteps + kSection + kTwo +
+                       text_of({kRows[0], kRows[1], kRows[3], kRows[2]}));
+  EXPECT_EQ(message_of<Error>([&] { return read_recordings(path_, {}); }),
+            path_ +
+                ": expected x that rise, found x that do not rise: 0.002 after 0.003, value 4 "
+                "below line 12. Split the file there, or take out rows that were recorded "
+                "twice.");
+}
+
 // Each value in a section of its own: the step is that which is stated.
 TEST_F(LvmFiles, JoinSingleValuesThatGoOnByTheirTime) {
   std::string text = file_header("One");

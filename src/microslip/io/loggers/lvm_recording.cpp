@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -57,6 +58,7 @@ class LvmReader {
   Recordings read() {
     join_sections();
     for (LvmSection& section : contents_.sections) add_section(section);
+    if (result_.recordings.empty() && falling_) throw FormatError(*falling_);
     if (result_.recordings.empty() && !without_axis_.empty()) {
       throw no_sampling_rate(without_axis_.front(),
                              "Save values over Time or Frequency, with a column of it or Delta_X.");
@@ -87,6 +89,7 @@ class LvmReader {
     std::vector<LvmSection> joined;
     for (LvmSection& next : contents_.sections) {
       if (!joined.empty() && (goes_on(joined.back(), next, 0.0) || goes_on_by_time(joined, next))) {
+        warn_of_jump(joined.back(), next);
         append(joined.back(), next);
       } else {
         joined.push_back(std::move(next));
@@ -101,6 +104,34 @@ class LvmReader {
     const std::optional<double> before = begin_of(joined.back());
     const std::optional<double> then = begin_of(next);
     return before && then && *then > *before && goes_on(joined.back(), next, *then - *before);
+  }
+
+  /// Where x go on and Time does neither as they do nor stays as it is.
+  void warn_of_jump(const LvmSection& last, const LvmSection& next) {
+    constexpr double kLateClock = 1.0;  // s, as pieces are written after they were sampled
+    const std::optional<double> before = begin_of(last);
+    const std::optional<double> then = begin_of(next);
+    if (!before || !then) return;
+    const double by = *then - *before;
+    const double x = start_of(next) - start_of(last);
+    if (std::min(std::abs(by), std::abs(by - x)) <= std::max(kLateClock, std::abs(x))) return;
+    result_.warnings.push_back(
+        {"time_jumps",
+         fmt::format("{}:{}: a section begins {:.6g} s {} the one before by Date and Time, and its "
+                     "x go on; they are joined. Split the file there where it was not sampled in "
+                     "one run",
+                     path_, next.line, std::abs(by), by > 0.0 ? "after" : "before")});
+  }
+
+  /// Of x, s, by the first channel.
+  [[nodiscard]] double start_of(const LvmSection& section) const {
+    if (section.channels.empty()) return 0.0;
+    const LvmChannel& first = section.channels.front();
+    const std::optional<Unit> unit = find_unit_of_points(section.entry("X_Unit_Label", first));
+    const bool has_x = !section.x.empty() && !section.x[first.x].values.empty();
+    const double start =
+        has_x ? section.x[first.x].values.front() : number(section, "X0", first).value_or(0.0);
+    return start * (unit ? unit->factor() : 1.0);
   }
 
   /// @param later  s, by which the values of the next section are later than their x says.
@@ -290,6 +321,10 @@ class LvmReader {
                                 std::optional<double> step) {
     const LvmColumn& x = section.x[from.x];
     const std::size_t size = channel.values.size();
+    if (x.values.size() < size && step && !x.values.empty()) {
+      return axis_of_short_x(x, size, channel, unit, *step);
+    }
+    if (falls(x, channel, section)) return std::nullopt;
     if (x.values.size() < size) {
       without_axis_.push_back(
           {place_of(channel), fmt::format("{} x for its {} values", x.values.size(), size)});
@@ -315,6 +350,34 @@ class LvmReader {
     return std::move(points.axis);
   }
 
+  /// Where the step is stated, it continues x that end early.
+  Axis axis_of_short_x(const LvmColumn& x, std::size_t size, const Channel& channel,
+                       const Unit& unit, double step) {
+    result_.warnings.push_back(
+        {"points_missing",
+         fmt::format(
+             "{}: {} has {} values for its {}; all points are by Delta_X, from the first on",
+             place_of(channel), in_quotes(x.name), x.values.size(), size)});
+    Axis axis = even_axis({.step = step, .start = unit.to_si(x.values.front())});
+    axis.dimension = unit.dimension;
+    return axis;
+  }
+
+  /// Whether x fall somewhere, which leaves the channel out.
+  bool falls(const LvmColumn& x, const Channel& channel, const LvmSection& section) {
+    const auto fault = std::ranges::adjacent_find(x.values, std::not_fn(std::less<>()));
+    if (fault == x.values.end()) return false;
+    const std::string found =
+        fmt::format("x that do not rise: {:.9g} after {:.9g}, value {} below line {}", *(fault + 1),
+                    *fault, std::distance(x.values.begin(), fault) + 2, section.line);
+    if (!falling_) {
+      falling_ = FormatError({path_, 0, 0}, "x that rise", found,
+                             "Split the file there, or take out rows that were recorded twice.");
+    }
+    without_axis_.push_back({place_of(channel), found});
+    return true;
+  }
+
   /// Of the first channel over the same x that has one.
   [[nodiscard]] std::optional<double> common_step(const LvmSection& section, const LvmChannel& from,
                                                   const Unit& unit) const {
@@ -329,6 +392,7 @@ class LvmReader {
   LvmContents contents_;
   const RecordingReadOptions& options_;
   std::vector<WithoutAxis> without_axis_;
+  std::optional<FormatError> falling_;  ///< the first x that do not rise
   Recordings result_;
 };
 

@@ -128,7 +128,7 @@ std::string reason_apart(const LoggedChannel& longest, const LoggedChannel& othe
 WaveformAxis waveform_axis(const TdmsProperties& properties,
                            const std::optional<TdmsTime>& earliest) {
   const double* const increment = properties.number("wf_increment");
-  if (increment == nullptr || !(*increment > 0.0) || !std::isfinite(*increment)) return {};
+  if (!states_step(increment)) return {};
   Unit unit{.dimension = kTime};
   const std::string* const text = properties.text("wf_xunit_string");
   if (text != nullptr && !trimmed(*text).empty()) {

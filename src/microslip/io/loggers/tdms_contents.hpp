@@ -45,6 +45,10 @@ struct TdmsProperties {
   [[nodiscard]] const TdmsTime* time(std::string_view name) const;
 };
 
+/// Whether a wf_increment is there and states a step: 0, which LabVIEW writes where it knows none,
+/// does not.
+[[nodiscard]] bool states_step(const double* increment);
+
 /// Values of a channel as stored. Those of DAQmx come from several sources, by their number.
 struct TdmsSource {
   std::uint32_t scale_id = 0;

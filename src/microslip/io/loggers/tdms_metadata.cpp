@@ -231,6 +231,10 @@ double seconds_between(const TdmsTime& from, const TdmsTime& to) {
   return whole + std::ldexp(part, -64);
 }
 
+bool states_step(const double* increment) {
+  return increment != nullptr && *increment > 0.0 && std::isfinite(*increment);
+}
+
 const double* TdmsProperties::number(std::string_view name) const {
   return find_property<double>(*this, name);
 }

@@ -244,7 +244,7 @@ class TdmsGroups {
 
   static bool is_points(const TdmsObject& object, const std::vector<double>& values) {
     return is_one_of(object.channel, kTimeNames) && values.size() > 1 &&
-           object.properties.number("wf_increment") == nullptr &&
+           !states_step(object.properties.number("wf_increment")) &&
            may_be_unit_of_points(unit_of(object.properties), kTime) &&
            may_be_points(object.channel, values);
   }
@@ -319,7 +319,10 @@ class TdmsGroups {
     for (LoggedChannel& logged : channels) {
       if (untimed) logged.axis = even_axis({.step = untimed_step(options)});
       if (!logged.axis) {
-        without_axis_.push_back({place_of(*logged.object)});
+        const double* const increment = logged.object->properties.number("wf_increment");
+        without_axis_.push_back(
+            {place_of(*logged.object),
+             increment == nullptr ? "" : fmt::format("a wf_increment of {}", *increment)});
         continue;
       }
       add_channel(recordings, file_name(path_) + ":" + group.name, *logged.axis,
@@ -333,8 +336,11 @@ class TdmsGroups {
 
   [[noreturn]] void fail_without_recording() const {
     if (!without_axis_.empty()) {
-      throw no_sampling_rate(without_axis_.front(),
-                             "Write waveforms, which have wf_increment, or a channel Time [s].");
+      throw no_sampling_rate(
+          without_axis_.front(),
+          without_axis_.front().found.empty()
+              ? "Write waveforms, which have wf_increment, or a channel Time [s]."
+              : "Write waveforms whose wf_increment is their step, or give `rate`.");
     }
     const std::string found = result_.warnings.empty() ? "none" : result_.warnings.front().text;
     throw FormatError({.file = path_}, "a channel of two numbers or more", found);

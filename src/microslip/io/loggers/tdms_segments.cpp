@@ -198,6 +198,10 @@ class TdmsReader {
     const bool changes =
         known != object.properties.all.end() && object.size() > 0 && known->second != value;
     const bool is_start = name == "wf_start_time";
+    if (changes && name == "wf_increment" && !states_step(std::get_if<double>(&value)) &&
+        states_step(object.properties.number(name))) {
+      return;  // 0 states none, so that the former one goes on
+    }
     if (changes && name == "wf_increment" && keep_former_step(object)) {
       object.properties.all.insert_or_assign(name, std::move(value));
       return;
@@ -216,7 +220,7 @@ class TdmsReader {
   /// False where there is none that could be one of the values so far.
   static bool keep_former_step(TdmsObject& object) {
     const double* const step = object.properties.number("wf_increment");
-    if (step == nullptr || !(*step > 0.0) || !std::isfinite(*step)) return false;
+    if (!states_step(step)) return false;
     object.former_steps.emplace_back(object.size(), *step);
     return true;
   }
