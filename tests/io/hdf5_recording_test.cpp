@@ -42,11 +42,49 @@ TEST_F(Hdf5Recording, SurvivesTheRoundTripBitForBit) {
   EXPECT_EQ(std::bit_cast<std::uint64_t>(zero), std::bit_cast<std::uint64_t>(-0.0));
 }
 
-TEST_F(Hdf5Recording, SurvivesInSeveralChunks) {
+TEST_F(Hdf5Recording, SurvivesWithManyValues) {
   std::vector<Recording> written{test::time_recording(300'001)};
   written[0].channels[1].imaginary = written[0].channels[0].values;
   write_recordings_hdf5(path_, written);
   test::expect_same(read_recordings_hdf5(path_).recordings, written);
+}
+
+// The layout of HDF5 1.8 without chunks, whose index is of version 4 else, which jsfive 0.4 does
+// not read: the superblock of version 2 [HDF5 File Format Specification 2.0, section II.A].
+TEST_F(Hdf5Recording, IsOfALayoutThatOlderProgramsRead) {
+  write_recordings_hdf5(path_, std::vector{test::frequency_recording()});
+  constexpr std::size_t kPlaceOfVersion = 8;
+  EXPECT_EQ(test::get(path_).at(kPlaceOfVersion), '\2');
+  const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t dataset = H5Dopen2(file, "recording_1/channel_1", H5P_DEFAULT);
+  const hid_t properties = H5Dget_create_plist(dataset);
+  EXPECT_EQ(H5Pget_layout(properties), H5D_CONTIGUOUS);
+  EXPECT_EQ(H5Pget_nfilters(properties), 0);
+  H5Pclose(properties);
+  H5Dclose(dataset);
+  H5Fclose(file);
+}
+
+// As files were written that keep checksums in their chunks.
+TEST_F(Hdf5Recording, ReadsOwnFilesWithoutAChecksumBesideTheValues) {
+  write_recordings_hdf5(path_, std::vector{test::time_recording(100)});
+  const auto change = [&](const auto& what) {
+    const hid_t file = H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t dataset = H5Dopen2(file, "recording_1/channel_1", H5P_DEFAULT);
+    what(dataset);
+    H5Dclose(dataset);
+    H5Fclose(file);
+  };
+  change([](hid_t dataset) {
+    const std::vector<double> others(100, 1.0);
+    H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, others.data());
+  });
+  EXPECT_EQ(message(), path_ +
+                           ":/recording_1/channel_1: expected values of the checksum beside "
+                           "them, found others. The file is damaged, or another program "
+                           "changed it.");
+  change([](hid_t dataset) { H5Adelete(dataset, "microslip_checksum"); });
+  EXPECT_EQ(read_recordings_hdf5(path_).recordings.at(0).channels[0].values.at(99), 1.0);
 }
 
 // The same recording makes the same file, whenever it is written: no object keeps its times.

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "microslip/base/error.hpp"
@@ -13,6 +16,7 @@
 #include "microslip/io/hdf5/hdf5_values.hpp"
 #include "microslip/io/recordings/hdf5_layout.hpp"
 #include "microslip/io/recordings/sampling.hpp"
+#include "microslip/io/recordings/value_checksum.hpp"
 
 namespace microslip {
 namespace {
@@ -84,7 +88,10 @@ class OwnReader {
     if (content != Hdf5Content::kReal && content != Hdf5Content::kComplex) {
       fail_hdf5(place, "a dataset of numbers");
     }
-    if (name == "axis") return read_hdf5_real(dataset.id(), recording.axis.values, place);
+    if (name == "axis") {
+      read_hdf5_real(dataset.id(), recording.axis.values, place);
+      return check_values(dataset.id(), recording.axis.values, {}, place);
+    }
     Channel channel;
     channel.name = require(hdf5_text(dataset.id(), "channel_name", place), "channel_name", place);
     if (const auto unit = hdf5_text(dataset.id(), "unit_str", place)) {
@@ -96,8 +103,18 @@ class OwnReader {
     } else {
       read_hdf5_complex(dataset.id(), channel.values, channel.imaginary, place);
     }
+    check_values(dataset.id(), channel.values, channel.imaginary, place);
     progress_.add(channel.values.size() + channel.imaginary.size());
     recording.channels.push_back(std::move(channel));
+  }
+
+  /// Files whose values are in chunks with checksums have none beside them.
+  static void check_values(hid_t dataset, std::span<const double> values,
+                           std::span<const double> imaginary, const std::string& place) {
+    const std::optional<std::string> expected = hdf5_text(dataset, kChecksumKey, place);
+    if (!expected || *expected == checksum_of(values, imaginary)) return;
+    throw FormatError({.file = place}, "values of the checksum beside them", "others",
+                      "The file is damaged, or another program changed it.");
   }
 
   std::string path_;

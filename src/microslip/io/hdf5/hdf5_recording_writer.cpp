@@ -11,11 +11,15 @@
 #include "microslip/io/hdf5/hdf5_writing.hpp"
 #include "microslip/io/output/file_output.hpp"
 #include "microslip/io/recordings/hdf5_layout.hpp"
+#include "microslip/io/recordings/value_checksum.hpp"
 
 namespace microslip {
 namespace {
 
 constexpr hsize_t kChunk = kHdf5Chunk;
+/// Programs with HDF5 1.8 read it, and jsfive.
+constexpr Hdf5Layout kLayout = Hdf5Layout::kWhole;
+
 /// The attributes of a recording or a channel under names that are free, in their order.
 template <class Keys>
 void write_attributes(hid_t object, const Attributes& attributes, const Keys& keys,
@@ -45,7 +49,7 @@ Hdf5Handle write_complex(hid_t group, const char* name, const Channel& channel,
                          const std::string& place) {
   const hsize_t count = channel.values.size();
   Hdf5Handle dataset =
-      create_hdf5_dataset(group, name, complex_type(H5T_IEEE_F64LE).id(), {count}, place);
+      create_hdf5_dataset(group, name, complex_type(H5T_IEEE_F64LE).id(), {count}, place, kLayout);
   const Hdf5Handle memory_type = complex_type(H5T_NATIVE_DOUBLE);
   const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::vector<double> buffer;
@@ -70,7 +74,8 @@ void write_axis(hid_t group, const Axis& axis, const std::string& place) {
   write_hdf5_text(group, "axis_unit", si_unit(axis.dimension), place);
   if (!axis.even()) {
     Hdf5Handle dataset =
-        write_hdf5_real(group, "axis", axis.values, {axis.values.size()}, place + "/axis");
+        write_hdf5_real(group, "axis", axis.values, {axis.values.size()}, place + "/axis", kLayout);
+    write_hdf5_text(dataset.id(), kChecksumKey, checksum_of(axis.values), place + "/axis");
     write_hdf5_text(dataset.id(), "unit_str", si_unit(axis.dimension), place + "/axis");
     return close_hdf5(dataset, place + "/axis");
   }
@@ -85,7 +90,7 @@ void write_channel(hid_t group, std::size_t number, const Channel& channel, cons
   const std::string place = place_of_group + "/" + name;
   Hdf5Handle dataset =
       channel.imaginary.empty()
-          ? write_hdf5_real(group, name, channel.values, {channel.values.size()}, place)
+          ? write_hdf5_real(group, name, channel.values, {channel.values.size()}, place, kLayout)
           : write_complex(group, name.c_str(), channel, place);
   write_hdf5_text(dataset.id(), "channel_name", channel.name, place);
   if (channel.dimension) {
@@ -95,6 +100,8 @@ void write_channel(hid_t group, std::size_t number, const Channel& channel, cons
   if (axis.even() && axis.dimension == kTime) {
     write_hdf5_number(dataset.id(), "fs", 1.0 / axis.step, place);
   }
+  write_hdf5_text(dataset.id(), kChecksumKey, checksum_of(channel.values, channel.imaginary),
+                  place);
   write_attributes(dataset.id(), channel.attributes, kChannelKeys, place);
   close_hdf5(dataset, place);
 }
@@ -128,7 +135,7 @@ void write_whole(hid_t file, const std::string& path, std::span<const Recording>
 
 void write_recordings_hdf5(const std::string& path, std::span<const Recording> recordings) {
   for (const Recording& recording : recordings) check_recording(recording);
-  const Hdf5Memory memory([&](hid_t file) { write_whole(file, path, recordings); }, path);
+  const Hdf5Memory memory([&](hid_t file) { write_whole(file, path, recordings); }, path, kLayout);
   FileOutput output(path);
   output.write(memory.bytes());
   output.close();

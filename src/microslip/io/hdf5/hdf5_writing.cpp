@@ -39,11 +39,13 @@ std::vector<hsize_t> chunk_of(const std::vector<hsize_t>& sizes) {
   return chunk;
 }
 
-Hdf5Handle dataset_properties(const std::vector<hsize_t>& sizes) {
+Hdf5Handle dataset_properties(const std::vector<hsize_t>& sizes, Hdf5Layout layout) {
   Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  const std::vector<hsize_t> chunk = chunk_of(sizes);
-  H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data());
-  H5Pset_fletcher32(properties.id());
+  if (layout == Hdf5Layout::kChunks) {
+    const std::vector<hsize_t> chunk = chunk_of(sizes);
+    H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_fletcher32(properties.id());
+  }
   H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER);
   H5Pset_obj_track_times(properties.id(), false);  // the same contents make the same file
   H5Pset_attr_creation_order(properties.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
@@ -84,29 +86,34 @@ void write_hdf5_number(hid_t object, const std::string& name, double value,
 }
 
 Hdf5Handle create_hdf5_dataset(hid_t group, const std::string& name, hid_t type,
-                               const std::vector<hsize_t>& sizes, const std::string& place) {
+                               const std::vector<hsize_t>& sizes, const std::string& place,
+                               Hdf5Layout layout) {
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr),
                          H5Sclose);
   return require_hdf5({H5Dcreate2(group, name.c_str(), type, space.id(), H5P_DEFAULT,
-                                  dataset_properties(sizes).id(), H5P_DEFAULT),
+                                  dataset_properties(sizes, layout).id(), H5P_DEFAULT),
                        H5Dclose},
                       place);
 }
 
 Hdf5Handle write_hdf5_real(hid_t group, const std::string& name, std::span<const double> values,
-                           const std::vector<hsize_t>& sizes, const std::string& place) {
-  Hdf5Handle dataset = create_hdf5_dataset(group, name, H5T_IEEE_F64LE, sizes, place);
+                           const std::vector<hsize_t>& sizes, const std::string& place,
+                           Hdf5Layout layout) {
+  Hdf5Handle dataset = create_hdf5_dataset(group, name, H5T_IEEE_F64LE, sizes, place, layout);
   if (H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
     fail_hdf5_writing(place);
   }
   return dataset;
 }
 
-Hdf5Memory::Hdf5Memory(const std::function<void(hid_t file)>& fill, const std::string& place) {
+Hdf5Memory::Hdf5Memory(const std::function<void(hid_t file)>& fill, const std::string& place,
+                       Hdf5Layout layout) {
   const Hdf5Session session;
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // From 1.10 on all that surrounds the values carries checksums.
-  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_LATEST);
+  // From 1.10 on the index of chunks carries a checksum; all else does from 1.8 on.
+  const bool whole = layout == Hdf5Layout::kWhole;
+  H5Pset_libver_bounds(access.id(), whole ? H5F_LIBVER_V18 : H5F_LIBVER_V110,
+                       whole ? H5F_LIBVER_V18 : H5F_LIBVER_LATEST);
   use_by(access.id());
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.id(), false);

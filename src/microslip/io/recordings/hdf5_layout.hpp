@@ -13,6 +13,9 @@ inline constexpr std::string_view kRecordingSchema = "microslip.recording/1";
 
 /// Attributes of a recording and of a channel that are not its `attributes`.
 inline constexpr std::array kRecordingKeys{"source", "axis_unit", "start", "step", "fs"};
-inline constexpr std::array kChannelKeys{"channel_name", "unit_str", "quantity", "fs"};
+/// Of a dataset, checksum_of() its values.
+inline constexpr const char* kChecksumKey = "microslip_checksum";
+inline constexpr std::array kChannelKeys{"channel_name", "unit_str", "quantity", "fs",
+                                         kChecksumKey};
 
 }  // namespace microslip
