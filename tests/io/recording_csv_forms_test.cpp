@@ -234,5 +234,26 @@ TEST(RecordingColumns, AreThoseOfTheTableInTheFile) {
   EXPECT_TRUE(recording_columns("\x89PNG\r\n\x1A\n").empty());
 }
 
+// As LabVIEW's "space", Fortran and numpy.savetxt write tables.
+TEST(RecordingCsvForms, BlanksMaySeparateColumns) {
+  for (const char* text :
+       {"time[s] force[kN] acc[g]\n0.0 1 -2\n0.5 3 4e0\n1.0 5 6\n",
+        "  time [s]   force [kN]  acc [g]  \r\n  0.0   1 -2\r\n0.5 3 4 \r\n"
+        " 1.0 5   6  \r\n",
+        "Bench 7\noperator: me\ntime force acc\ns kN g\n0.0 1 -2\n0.5 3 4\n1 5 6\n",
+        "# a comment\ntime [s] force [kN] acc [g]\n0 1 -2\n.5 3 4\n1.0 5 6"}) {
+    const Recording recording = read_all(text).recordings.at(0);
+    EXPECT_EQ(recording.axis.step, 0.5) << text;
+    EXPECT_EQ(recording.channel("force").values, (Numbers{1000, 3000, 5000})) << text;
+    EXPECT_EQ(recording.channel("acc").dimension, kAcceleration) << text;
+  }
+  EXPECT_EQ(fault("time[s] force[N]\n0 1\n1 2\n2 3 4\n"),
+            "r.csv:4:1: expected 2 cells as in the header, found 3. The separator of this table is "
+            "' '.");
+  EXPECT_EQ(fault("time[s] force[N]\n0 1\n1 2\n2 1,5\n"),
+            "r.csv:4:3: expected a finite number in column 2 'force [N]', found '1,5'. This table "
+            "has decimal points elsewhere: write all numbers one way.");
+}
+
 }  // namespace
 }  // namespace microslip::recording_csv_forms_test

@@ -91,6 +91,11 @@ class CellScanner {
     return p;
   }
 
+  /// Of blanks behind a cell, which are separators themselves where blanks separate.
+  [[nodiscard]] const char* skip_blanks_behind(const char* p) const {
+    return separator_ == ' ' ? p : skip_blanks(p);
+  }
+
   [[nodiscard]] bool at_line_end(const char* p) const {
     return p == end_ || *p == '\n' || (*p == '\r' && (p + 1 == end_ || p[1] == '\n'));
   }

@@ -111,7 +111,7 @@ class CsvRecordingReader {
     if (!header_.has_names() && above && blocks_.first_line() == 1) {
       header_.add_preamble(line);
     } else if (!header_.has_names()) {
-      header_.read_names(line, number);
+      header_.read_names(line, number, table_.blanks);
     } else {
       const bool units = header_.read_units(line, number);
       start_rows();
@@ -126,7 +126,7 @@ class CsvRecordingReader {
     header_resolved_ = true;
     values_.resize(header_.columns().size());
     left_out_.resize(header_.columns().size());
-    if (header_.separator() == ',') decimal_ = Decimal::kPoint;
+    if (header_.separator() == ',' || table_.blanks) decimal_ = Decimal::kPoint;
     scanner_ = CellScanner(blocks_.text(), file_.name(), header_.separator(), blocks_.first_line());
   }
 
@@ -210,7 +210,7 @@ class CsvRecordingReader {
       }
     }
     if (error != std::errc{} || !std::isfinite(value)) return nullptr;
-    stop = scanner_->skip_blanks(stop);
+    stop = scanner_->skip_blanks_behind(stop);
     return scanner_->at_cell_end(stop) ? stop : nullptr;
   }
 
@@ -273,7 +273,10 @@ class CsvRecordingReader {
   [[noreturn]] void throw_ragged(const char* row) const {
     std::size_t cells = 1;
     RawCell cell = scanner_->scan(row);
-    for (; !scanner_->at_line_end(cell.next); ++cells) cell = scanner_->scan(cell.next + 1);
+    while (!scanner_->at_line_end(scanner_->skip_blanks(cell.next))) {
+      cell = scanner_->scan(cell.next + 1);
+      ++cells;
+    }
     if (row_is_cut_ && cells < values_.size()) {
       throw FormatError(scanner_->place(row),
                         fmt::format("{} cells as in the header", values_.size()),
@@ -461,7 +464,7 @@ std::vector<CsvColumn> recording_columns(std::string_view head) {
   const TableStart start = find_table_start(head);
   RecordingCsvHeader header("");
   try {
-    header.read_names(start.names, 1);
+    header.read_names(start.names, 1, start.blanks);
     (void)header.read_units(start.below, 2);
   } catch (const FormatError&) {
     return {};

@@ -133,7 +133,10 @@ std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string
     known = raw.begin;
     const bool last = scanner.at_line_end(raw.next);
     const bool trailing = last && raw.begin == raw.end && !raw.quoted && !cells.empty();
-    if (!trailing) {
+    const bool is_unit = separator_ == ' ' && !trailing && (*raw.begin == '[' || *raw.begin == '(');
+    if (is_unit && !cells.empty()) {
+      cells.back().column.name += " " + to_utf8(unescaped(raw));
+    } else if (!trailing) {
       cells.push_back({.column = {.name = to_utf8(unescaped(raw)), .unit = {}}, .place = place});
     }
     if (last) return cells;
@@ -141,8 +144,8 @@ std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string
   }
 }
 
-void RecordingCsvHeader::read_names(std::string_view line, std::size_t number) {
-  separator_ = find_separator(line);
+void RecordingCsvHeader::read_names(std::string_view line, std::size_t number, bool blanks) {
+  separator_ = blanks ? ' ' : find_separator(line);
   cells_ = read_cells(line, number);
   const auto is_number = [](const Cell& cell) {
     return parse_number(cell.column.name) || parse_comma_number(cell.column.name);

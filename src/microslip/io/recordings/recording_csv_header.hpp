@@ -43,9 +43,10 @@ class RecordingCsvHeader {
   /// out.
   void add_preamble(std::string_view line);
 
-  /// The line of names; a column without one is called by its number. @param number  of the line.
+  /// The line of names; a column without one is called by its number.
+  /// @param number  of the line. @param blanks  whether these alone separate columns.
   /// @throws FormatError  where all cells are numbers, or columns are separated by blanks.
-  void read_names(std::string_view line, std::size_t number);
+  void read_names(std::string_view line, std::size_t number, bool blanks);
 
   /// The first line below it. False where that is no line of units: some names have units already,
   /// or a cell is a number other than 1, or none is a unit or in brackets.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "microslip/base/units.hpp"
 #include "microslip/io/bytes/text.hpp"
@@ -20,6 +21,7 @@ struct TableLine {
   std::size_t offset = 0;
   std::vector<std::string_view> cells = {};
   std::size_t numbers = 0;  ///< of the cells
+  bool blanks = false;      ///< whether they are numbers with nothing but blanks between them
 };
 
 /// Those that are not finite count: they stand in rows.
@@ -29,7 +31,36 @@ bool is_number_cell(std::string_view cell) {
   return parse_number(cell) || parse_comma_number(cell) || capitals == "NAN" || capitals == "INF";
 }
 
+/// The words of a line; a unit in brackets belongs to the word before it.
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = text.find_first_not_of(' '); at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const bool is_unit = text[at] == '[' || text[at] == '(';
+    if (is_unit && !words.empty()) {
+      const char* const begin = words.back().data();
+      words.back() = {begin, static_cast<std::size_t>(text.data() + end - begin)};
+    } else {
+      words.push_back(text.substr(at, end - at));
+    }
+    at = text.find_first_not_of(' ', end);
+  }
+  return words;
+}
+
+/// Whether the line is a row of numbers with nothing but blanks between them.
+bool split_by_blanks(TableLine& line) {
+  if (line.text.find_first_of(",;\t\"") != std::string_view::npos) return false;
+  std::vector<std::string_view> words = words_of(line.text);
+  if (words.size() < 2 || !std::ranges::all_of(words, is_number_cell)) return false;
+  line.cells = std::move(words);
+  line.numbers = line.cells.size();
+  line.blanks = true;
+  return true;
+}
+
 void split(TableLine& line) {
+  if (split_by_blanks(line)) return;
   const char separator = find_separator(line.text);
   bool in_quotes = false;
   std::size_t begin = 0;
@@ -91,6 +122,16 @@ bool is_header(const TableLine& line, std::size_t columns) {
   return line.cells.size() == columns && line.numbers == 0;
 }
 
+/// The line as one of a table like that of a row.
+TableLine as_in_table_of(const TableLine& row, const TableLine& line) {
+  if (!row.blanks || line.text.find_first_of(",;\t\"") != std::string_view::npos) return line;
+  return {.text = line.text,
+          .offset = line.offset,
+          .cells = words_of(line.text),
+          .numbers = line.numbers,
+          .blanks = true};
+}
+
 }  // namespace
 
 TableStart find_table_start(std::string_view text) {
@@ -99,15 +140,18 @@ TableStart find_table_start(std::string_view text) {
     const std::size_t columns = lines[i].cells.size();
     if (!is_row(lines[i]) || !is_row(lines[i + 1]) || lines[i + 1].cells.size() != columns)
       continue;
-    if (!is_header(lines[i - 1], columns)) continue;
-    const bool units =
-        i > 1 && is_header(lines[i - 2], columns) && is_unit_line(lines[i - 1], lines[i - 2]);
+    const TableLine last = as_in_table_of(lines[i], lines[i - 1]);
+    if (!is_header(last, columns)) continue;
+    const TableLine above = i > 1 ? as_in_table_of(lines[i], lines[i - 2]) : TableLine{};
+    const bool units = is_header(above, columns) && is_unit_line(last, above);
     const std::size_t header = units ? i - 2 : i - 1;
     const auto has_time = [](const TableLine& l) {
       return std::ranges::any_of(l.cells, names_time);
     };
-    if (has_time(lines[0]) && !has_time(lines[header])) break;  // the first line is the header
-    TableStart start{{}, lines[header].offset, lines[header].text, lines[header + 1].text};
+    if (has_time(lines[0]) && !has_time(units ? above : last))
+      break;  // the first line is the header
+    TableStart start{
+        {}, lines[header].offset, lines[header].text, lines[header + 1].text, lines[i].blanks};
     for (std::size_t k = 0; k < header; ++k) start.preamble.push_back(lines[k].text);
     return start;
   }

@@ -15,6 +15,7 @@ struct TableStart {
   std::size_t header = 0;                  ///< offset of the header in the text
   std::string_view names = {};             ///< the line of the header
   std::string_view below = {};             ///< the next one, which may have the units
+  bool blanks = false;                     ///< whether blanks alone separate the columns
 };
 
 /// @param text  the beginning of the file, whole lines.
