@@ -292,6 +292,11 @@ export async function takePictures(browser, file, artefacts, warnings, {everywhe
       const loaded = await page.$$eval('.picture', (all) => all.filter(
           ({complete, naturalWidth}) => complete && naturalWidth > 0).length);
       assert.equal(loaded, await page.locator('.picture').count(), 'pictures in print');
+      await page.emulateMedia({media: 'print'});
+      const grids = await page.$$eval('.figures, .beside', (all) => all.filter(
+          (element) => /grid|flex/.test(getComputedStyle(element).display)).length);
+      assert.equal(grids, 0, 'a grid leaves its heading alone at the end of a page');
+      await page.emulateMedia({media: null});
     }
     assert.deepEqual(faults, [], name);
     if (!given) await context.close();
