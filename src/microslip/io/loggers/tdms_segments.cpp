@@ -36,11 +36,15 @@ std::vector<double>& source_of(TdmsObject& object, std::uint32_t id) {
 }
 
 /// Makes room for values that the file was seen to hold, as a vector that grows does.
-double* grown(std::vector<double>& values, std::size_t count) {
+void make_room(std::vector<double>& values, std::size_t count) {
   const std::size_t size = values.size() + count;
   if (size > values.capacity()) values.reserve(std::max(size, 2 * values.capacity()));
-  values.resize(size);
-  return values.data() + (size - count);
+}
+
+double* grown(std::vector<double>& values, std::size_t count) {
+  make_room(values, count);
+  values.resize(values.size() + count);
+  return values.data() + (values.size() - count);
 }
 
 /// "/", "/'group'" or "/'group'/'channel'", in which '' is an apostrophe.
@@ -313,9 +317,19 @@ class TdmsReader {
       chunk = sum_of(chunk, run);
       if (run > 0) runs.emplace_back(&active, run);
     }
-    for (std::size_t left = chunks_of(segment, bytes, chunk); left > 0; --left) {
+    const std::size_t chunks = chunks_of(segment, bytes, chunk);
+    for (const auto& [active, run] : runs) make_room_for(*active, chunks);
+    for (std::size_t left = chunks; left > 0; --left) {
       for (const auto& [active, run] : runs) read_run(*active, run, segment.swap);
     }
+  }
+
+  /// For all chunks at once: room that grows by pieces is copied again and again.
+  void make_room_for(const Active& active, std::size_t chunks) {
+    const TdmsIndex& index = active.index;
+    if (index.type == kTdmsText) return;
+    std::vector<double>* const values = values_of(result_.objects[active.object], index.type);
+    if (values != nullptr) make_room(*values, chunks * index.count);
   }
 
   void read_run(const Active& active, std::size_t bytes, bool swap) {

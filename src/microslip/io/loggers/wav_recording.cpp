@@ -237,15 +237,14 @@ class WavReader {
 
   std::vector<std::vector<double>> read_rows(const WavFormat& format, std::size_t rows) {
     std::vector<std::vector<double>> values(format.channels);
-    for (auto& channel : values) channel.resize(rows);
+    for (auto& channel : values) channel.reserve(rows);
     const ConvertBytes convert = converter_of(format, big_);
-    std::size_t done = 0;
     take_rows(file_, rows, format.row, [&](const char* from, std::size_t count) {
       for (auto& channel : values) {
-        convert(from, format.row, count, channel.data() + done);
+        channel.resize(channel.size() + count);  // piece by piece, which stays in the cache
+        convert(from, format.row, count, channel.data() + channel.size() - count);
         from += format.sample();
       }
-      done += count;
     });
     return values;
   }

@@ -164,17 +164,17 @@ Axis axis_of(std::vector<double> points, const Unit& unit, const StoredPoints& s
 
 /// Why a recording cannot be read; empty where it can.
 std::string fault_of(const Recording& recording, const std::string& place) {
-  if (!has_whole_channel(recording)) {
-    return "each of its channels has values that are missing or not finite. Cut it where it is "
-           "whole";
-  }
   try {
     check_read(recording, place);
+    return {};
   } catch (const InputError& error) {
+    if (!has_whole_channel(recording)) {
+      return "each of its channels has values that are missing or not finite. Cut it where it is "
+             "whole";
+    }
     const std::string_view text = error.what();
     return std::string(text.substr(text.starts_with(place) ? place.size() + 2 : 0));
   }
-  return {};
 }
 
 Unit unit_of_axis(const PointsInFile& file) {
@@ -321,21 +321,21 @@ void check_foreign(Recordings& read, const std::string& place) {
       read.warnings.push_back({"channel_left_out", fmt::format("{}: {}", place, reason)});
     }
   }
-  const auto is_whole = [&](const Recording& recording) {
-    return fault_of(recording, place).empty();
-  };
-  if (std::ranges::any_of(read.recordings, is_whole)) {
-    std::erase_if(read.recordings, [&](const Recording& recording) {
-      const std::string fault = fault_of(recording, place);
-      if (fault.empty()) return false;
-      read.warnings.push_back(
-          {"recording_left_out",
-           fmt::format("{}: the recording {} of {} is left out: {}", place,
-                       in_quotes(recording.source), names_of(recording), fault)});
-      return true;
-    });
+  std::vector<std::string> faults;
+  for (const Recording& recording : read.recordings) faults.push_back(fault_of(recording, place));
+  if (std::ranges::none_of(faults, &std::string::empty)) {
+    for (const Recording& recording : read.recordings) check_read(recording, place);
   }
-  for (const Recording& recording : read.recordings) check_read(recording, place);
+  auto fault = faults.begin();
+  std::erase_if(read.recordings, [&](const Recording& recording) {
+    const std::string& reason = *fault++;
+    if (reason.empty()) return false;
+    read.warnings.push_back(
+        {"recording_left_out",
+         fmt::format("{}: the recording {} of {} is left out: {}", place,
+                     in_quotes(recording.source), names_of(recording), reason)});
+    return true;
+  });
 }
 
 void warn_without_rate(std::span<const WithoutAxis> places, std::vector<Warning>& warnings) {
