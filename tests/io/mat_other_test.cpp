@@ -58,6 +58,23 @@ class OtherMat {
     Mat_VarWrite(file_, variable, compression_);
     Mat_VarFree(variable);
   }
+  /// An array of structs of a number for each field.
+  void add_rows(const char* name, std::vector<const char*> fields,
+                std::vector<std::vector<double>> rows) {
+    std::array<std::size_t, 2> one{1, 1};
+    std::array<std::size_t, 2> sizes{rows.size(), 1};
+    matvar_t* variable = Mat_VarCreateStruct(name, 2, sizes.data(), fields.data(),
+                                             static_cast<unsigned>(fields.size()));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        Mat_VarSetStructFieldByName(
+            variable, fields[i], row,
+            Mat_VarCreate(fields[i], MAT_C_DOUBLE, MAT_T_DOUBLE, 2, one.data(), &rows[row][i], 0));
+      }
+    }
+    Mat_VarWrite(file_, variable, compression_);
+    Mat_VarFree(variable);
+  }
   void add(const char* name, std::string text) {
     put(name, MAT_C_CHAR, MAT_T_UINT8, 1, text.size(), text.data());
   }
@@ -214,6 +231,19 @@ TEST_F(MatOther, LeavesOutAStructWithoutAnyWholeChannel) {
     file.add("spare", {nan, nan, nan, nan}, 4);
   }
   EXPECT_NE(message().find("channel 'spare', point 1 = nan; must be finite"), std::string::npos);
+}
+
+// SciPy 1.10 writes a record array as an array of structs.
+TEST_F(MatOther, TakesATableThatIsStoredRowByRow) {
+  {
+    OtherMat file(path_);
+    file.add_rows("data", {"time", "force"}, {{0.0, 1.0}, {0.5, 3.0}, {1.0, -2.0}});
+    file.add_rows("modes", {"frequency", "damping"}, {{10.0, 0.1}, {20.0, 0.2}});
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 1U) << "modes are no recording";
+  EXPECT_EQ(read.recordings[0].axis.step, 0.5);
+  EXPECT_EQ(read.recordings[0].channel("force").values, (std::vector{1.0, 3.0, -2.0}));
 }
 
 TEST_F(MatOther, LeavesOutAStructWhoseTimesAreNotWhole) {

@@ -164,6 +164,36 @@ void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& w
   arrays.erase(arrays.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+/// The columns of a table over time that is stored row by row, an array of structs of single
+/// numbers, as SciPy writes record arrays; nothing where it is something else.
+std::optional<MatValue> columns_of_rows(const MatValue& value) {
+  const std::size_t rows = value.count();
+  const std::size_t width = value.fields.size();
+  const auto is_time = [](const std::string& name) { return is_one_of(name, kTimeNames); };
+  const auto is_number = [](const MatValue& child) {
+    return child.kind == Kind::kNumbers && child.real.size() == 1 && child.imaginary.empty();
+  };
+  if (rows < 2 || value.children.size() != rows * width ||
+      std::ranges::none_of(value.fields, is_time) ||
+      !std::ranges::all_of(value.children, is_number)) {
+    return std::nullopt;
+  }
+  MatValue table;
+  table.kind = Kind::kStruct;
+  table.sizes = {1, 1};
+  table.fields = value.fields;
+  table.children.resize(width);
+  for (std::size_t field = 0; field < width; ++field) {
+    MatValue& column = table.children[field];
+    column.kind = Kind::kNumbers;
+    column.sizes = {rows, 1};
+    for (std::size_t row = 0; row < rows; ++row) {
+      column.real.push_back(value.children[row * width + field].real.front());
+    }
+  }
+  return table;
+}
+
 class Collector {
  public:
   /// @param place_untimed  whether arrays that nothing places take untimed_step().
@@ -193,6 +223,7 @@ class Collector {
   }
 
   void read_elements(MatValue& value, const Sampling& known, const std::string& inside) {
+    if (auto table = columns_of_rows(value)) return read_struct(*table, 0, known, inside);
     for (std::size_t i = 0; i < value.count(); ++i) {
       read_struct(value, i, known,
                   value.count() == 1 ? inside : fmt::format("{}({})", inside, i + 1));
