@@ -142,7 +142,7 @@ TEST_F(Identified, DoubtsADriftOfARecordOfNoMasingJoint) {
   options.options.draws = 100;
   IdentifiedRecords done = identify_records(options);
   EXPECT_TRUE(drift_warnings(done).empty());
-  done.drift.front() = DriftFit{.drift = {.displacement = {0.1 * kReach}}};
+  done.from.drift.front() = DriftFit{.drift = {.displacement = {0.1 * kReach}}};
   const std::vector<Warning> warnings = drift_warnings(done);
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].code, "drift_uncertain");

@@ -65,49 +65,21 @@ RecordsIdentification record_options_of(const py::dict& given) {
   return all;
 }
 
-std::vector<RecordEvidence> evidence_of(const std::vector<NamedForceRecord>& records,
-                                        const RecordsIdentification& options,
-                                        IdentifiedRecords& done) {
-  std::vector<RecordEvidence> all;
-  for (const NamedForceRecord& one : records) {
-    of_record(one.source, [&] {
-      ReadyRecord ready = ready_record(one.record, options);
-      all.push_back(std::move(ready.evidence));
-      done.start.push_back(ready.start);
-      done.drift.push_back(std::move(ready.drift));
-    });
-    done.source.push_back(one.source);
-    done.input.push_back(one.input);
+SourcedEvidence evidence_of(const GivenEvidence& given, const RecordsIdentification& options) {
+  SourcedEvidence all;
+  for (const NamedForceRecord& one : given.records) {
+    all.add(one, options);
     std::string content(bytes_of(one.record.displacement));
     content += bytes_of(one.record.force);
-    done.inputs.push_back({one.source, sha256(content)});
+    all.from.inputs.push_back({one.source, sha256(content)});
   }
-  return all;
-}
-
-std::vector<LevelEvidence> evidence_of(const std::vector<std::pair<std::string, Levels>>& levels,
-                                       IdentifiedRecords& done) {
-  std::vector<LevelEvidence> all;
-  for (const auto& [name, table] : levels) {
-    of_record(name, [&] { all.emplace_back(table); });
-    done.tables.push_back(name);
-    done.levels.push_back(table.size());
+  for (const auto& [name, table] : given.levels) {
+    all.add(name, table);
     std::string content(bytes_of(table.amplitude));
     content += bytes_of(table.dissipation);
-    done.inputs.push_back({name, sha256(content)});
+    all.from.inputs.push_back({name, sha256(content)});
   }
   return all;
-}
-
-IdentifiedRecords identified(const GivenEvidence& given, const RecordsIdentification& options) {
-  IdentifiedRecords done{
-      .found = Identification(IdentificationMethod::kInversion, Joint(1.0, SlipDensity()))};
-  const std::vector<RecordEvidence> records = evidence_of(given.records, options, done);
-  const std::vector<LevelEvidence> levels = evidence_of(given.levels, done);
-  done.found =
-      identify({records, levels, done.source, done.tables}, options.stiffness, options.options);
-  for (const Warning& warning : drift_warnings(done)) done.found.warnings.push_back(warning);
-  return done;
 }
 
 py::object viscous_of(const RecordInversionResult& found) {
@@ -116,21 +88,21 @@ py::object viscous_of(const RecordInversionResult& found) {
 
 py::list fits_of(const IdentifiedRecords& done) {
   py::list all;
-  for (std::size_t i = 0; i < done.source.size(); ++i) {
+  for (std::size_t i = 0; i < done.from.records.size(); ++i) {
     const RecordFit& fit = done.found.records()->records[i];
-    const SensorDrift drift = done.drift[i] ? done.drift[i]->drift : SensorDrift{};
+    const SensorDrift drift = done.from.drift[i] ? done.from.drift[i]->drift : SensorDrift{};
     py::list verdicts;
     for (const RecordVerdict& verdict : fit.verdicts) {
       verdicts.append(py::make_tuple(std::string(to_string(verdict.departure)), verdict.share,
                                      verdict.noise, verdict.broken));
     }
-    all.append(py::dict("source"_a = done.source[i], "start"_a = std::string(to_string(fit.start)),
-                        "start_shown"_a = done.start[i].shown, "offset"_a = array_of(fit.offset),
-                        "displacement_drift"_a = array_of(drift.displacement),
-                        "force_drift"_a = array_of(drift.force),
-                        "residual"_a = array_of(fit.residual), "scatter"_a = fit.scatter,
-                        "correlation"_a = fit.correlation, "unexplained"_a = fit.unexplained,
-                        "verdicts"_a = verdicts));
+    all.append(
+        py::dict("source"_a = done.from.records[i], "start"_a = std::string(to_string(fit.start)),
+                 "start_shown"_a = done.from.start[i].shown, "offset"_a = array_of(fit.offset),
+                 "displacement_drift"_a = array_of(drift.displacement),
+                 "force_drift"_a = array_of(drift.force), "residual"_a = array_of(fit.residual),
+                 "scatter"_a = fit.scatter, "correlation"_a = fit.correlation,
+                 "unexplained"_a = fit.unexplained, "verdicts"_a = verdicts));
   }
   return all;
 }
@@ -146,7 +118,7 @@ py::dict identify_records(const std::vector<GivenRecord>& records,
   const IdentifiedRecords done = long_result(
       [&](const Progress& progress) {
         options.options.progress = progress;
-        return identified(evidence, options);
+        return identify_evidence(evidence_of(evidence, options), options);
       },
       listener);
   py::dict all = identification_dict(done.found, identified_joint(options, done, command));

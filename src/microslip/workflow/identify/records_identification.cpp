@@ -51,7 +51,7 @@ Provenance records_provenance(const RecordsIdentification& options, const Identi
   Provenance provenance;
   provenance.version = kVersion;
   provenance.command = command;
-  provenance.inputs = done.inputs;
+  provenance.inputs = done.from.inputs;
   provenance.options = record_of_options(options);
   provenance.seed = options.options.seed;
   return provenance;
@@ -68,12 +68,12 @@ std::string_view origin_of(const RecordStart& start, const RecordsIdentification
 void set_sources(const RecordsIdentification& options, const IdentifiedRecords& done,
                  std::vector<RecordFound>& records) {
   for (std::size_t r = 0; r < records.size(); ++r) {
-    records[r].start_from = origin_of(done.start[r], options);
-    records[r].source = done.source[r];
-    records[r].input = done.input[r];
-    if (!done.drift[r]) continue;
-    records[r].displacement_drift = done.drift[r]->drift.displacement;
-    records[r].force_drift = done.drift[r]->drift.force;
+    records[r].start_from = origin_of(done.from.start[r], options);
+    records[r].source = done.from.records[r];
+    records[r].input = done.from.input[r];
+    if (!done.from.drift[r]) continue;
+    records[r].displacement_drift = done.from.drift[r]->drift.displacement;
+    records[r].force_drift = done.from.drift[r]->drift.force;
   }
 }
 
@@ -117,46 +117,27 @@ std::string describe_table(const std::string& path, std::size_t count, const Lev
                                                 fit.scatter.dissipation)));
 }
 
-/// Evidence read from the files.
-struct Gathered {
-  std::vector<RecordEvidence> records;
-  std::vector<std::string> source;
-  std::vector<double> input;
-  std::vector<RecordStart> start;
-  std::vector<std::optional<DriftFit>> drift;
-  std::vector<LevelEvidence> levels;
-  std::vector<std::string> tables;
-  std::vector<std::size_t> counts;
-  std::vector<InputHash> inputs;
-  std::vector<Warning> warnings;
+/// Evidence read from the files, with their hashes.
+struct EvidenceOfFiles {
+  SourcedEvidence evidence = {};
+  std::vector<Warning> warnings = {};
 };
 
-void gather_records(const RecordsIdentification& options, Gathered& all) {
+void gather_records(const RecordsIdentification& options, EvidenceOfFiles& all) {
   check_distinct_files(options.records);
   ForceRecords read = read_force_records(options.records, options.channels, options.reading);
-  for (const NamedForceRecord& one : read.records) {
-    of_record(one.source, [&] {
-      ReadyRecord ready = ready_record(one.record, options);
-      all.records.push_back(std::move(ready.evidence));
-      all.start.push_back(ready.start);
-      all.drift.push_back(std::move(ready.drift));
-    });
-    all.source.push_back(one.source);
-    all.input.push_back(one.input);
-  }
-  all.inputs = std::move(read.inputs);
+  for (const NamedForceRecord& record : read.records) all.evidence.add(record, options);
+  all.evidence.from.inputs = std::move(read.inputs);
   all.warnings = std::move(read.warnings);
 }
 
-void gather_levels(const RecordsIdentification& options, Gathered& all) {
+void gather_levels(const RecordsIdentification& options, EvidenceOfFiles& all) {
   check_distinct_files(options.levels);
   for (const std::string& path : options.levels) {
     LevelTable table = read_level_table(path, {.use_inner_reversals = options.use_inner_reversals,
                                                .assemblies = options.assemblies});
-    of_record(path, [&] { all.levels.emplace_back(table.used.levels); });
-    all.tables.push_back(path);
-    all.counts.push_back(table.used.levels.size());
-    all.inputs.push_back({path, sha256(table.input.text)});
+    all.evidence.add(path, table.used.levels);
+    all.evidence.from.inputs.push_back({path, sha256(table.input.text)});
     for (const Warning& warning : table.warnings) {
       all.warnings.push_back({warning.code, path + ": " + warning.text});
     }
@@ -198,9 +179,9 @@ ReadyRecord ready_record(const ForceRecord& record, const RecordsIdentification&
 
 std::vector<Warning> drift_warnings(const IdentifiedRecords& done) {
   std::vector<Warning> warnings;
-  for (std::size_t r = 0; r < done.drift.size(); ++r) {
-    if (!done.drift[r]) continue;
-    const SensorDrift& drift = done.drift[r]->drift;
+  for (std::size_t r = 0; r < done.from.drift.size(); ++r) {
+    if (!done.from.drift[r]) continue;
+    const SensorDrift& drift = done.from.drift[r]->drift;
     if (drift.displacement.empty() && drift.force.empty()) continue;
     const std::vector<RecordVerdict>& verdicts = done.found.records()->records[r].verdicts;
     if (std::ranges::none_of(verdicts, &RecordVerdict::broken)) continue;
@@ -209,27 +190,46 @@ std::vector<Warning> drift_warnings(const IdentifiedRecords& done) {
          fmt::format("{}: a drift of its sensors was subtracted, and it is of no Masing joint even "
                      "so. Wear or a changing load looks like a drift, too: compare the result "
                      "without --drift.",
-                     done.source[r])});
+                     done.from.records[r])});
   }
   return warnings;
 }
 
+void SourcedEvidence::add(const NamedForceRecord& record, const RecordsIdentification& options) {
+  of_record(record.source, [&] {
+    ReadyRecord ready = ready_record(record.record, options);
+    records.push_back(std::move(ready.evidence));
+    from.start.push_back(ready.start);
+    from.drift.push_back(std::move(ready.drift));
+  });
+  from.records.push_back(record.source);
+  from.input.push_back(record.input);
+}
+
+void SourcedEvidence::add(const std::string& name, const Levels& table) {
+  of_record(name, [&] { levels.emplace_back(table); });
+  from.tables.push_back(name);
+  from.levels.push_back(table.size());
+}
+
+IdentifiedRecords identify_evidence(SourcedEvidence evidence,
+                                    const RecordsIdentification& options) {
+  Identification found =
+      identify({evidence.records, evidence.levels, evidence.from.records, evidence.from.tables},
+               options.stiffness, options.options);
+  IdentifiedRecords done{.from = std::move(evidence.from), .found = std::move(found)};
+  std::ranges::move(drift_warnings(done), std::back_inserter(done.found.warnings));
+  return done;
+}
+
 IdentifiedRecords identify_records(const RecordsIdentification& options) {
-  Gathered all;
+  EvidenceOfFiles all;
   gather_records(options, all);
   gather_levels(options, all);
-  std::ranges::move(same_content_warnings(all.inputs, "it"), std::back_inserter(all.warnings));
-  IdentifiedRecords done{.source = all.source,
-                         .input = std::move(all.input),
-                         .tables = all.tables,
-                         .levels = std::move(all.counts),
-                         .start = std::move(all.start),
-                         .drift = std::move(all.drift),
-                         .inputs = std::move(all.inputs),
-                         .found = identify({all.records, all.levels, all.source, all.tables},
-                                           options.stiffness, options.options)};
+  std::ranges::move(same_content_warnings(all.evidence.from.inputs, "it"),
+                    std::back_inserter(all.warnings));
+  IdentifiedRecords done = identify_evidence(std::move(all.evidence), options);
   done.found.warnings.insert(done.found.warnings.begin(), all.warnings.begin(), all.warnings.end());
-  std::ranges::move(drift_warnings(done), std::back_inserter(done.found.warnings));
   return done;
 }
 
@@ -252,14 +252,16 @@ std::string samples_bytes(const RecordsIdentification& options, const Identified
 }
 
 std::string describe_identified_records(const IdentifiedRecords& done) {
-  std::string text = describe_identification(done.found, done.source.size() + done.tables.size());
+  std::string text =
+      describe_identification(done.found, done.from.records.size() + done.from.tables.size());
   std::string records;
-  for (std::size_t r = 0; r < done.source.size(); ++r) {
-    records += describe_record(done.source[r], done.start[r], done.drift[r],
+  for (std::size_t r = 0; r < done.from.records.size(); ++r) {
+    records += describe_record(done.from.records[r], done.from.start[r], done.from.drift[r],
                                done.found.records()->records[r]);
   }
-  for (std::size_t t = 0; t < done.tables.size(); ++t) {
-    records += describe_table(done.tables[t], done.levels[t], done.found.records()->levels[t]);
+  for (std::size_t t = 0; t < done.from.tables.size(); ++t) {
+    records +=
+        describe_table(done.from.tables[t], done.from.levels[t], done.found.records()->levels[t]);
   }
   return text + records;
 }

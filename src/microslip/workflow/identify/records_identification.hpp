@@ -53,17 +53,38 @@ struct ReadyRecord {
 [[nodiscard]] ReadyRecord ready_record(const ForceRecord& record,
                                        const RecordsIdentification& options);
 
-/// Result of identify_records(). Vectors of records have one entry each, in the order of
-/// `found.records()`.
-struct IdentifiedRecords {
-  std::vector<std::string> source = {};             ///< of each record
+/// Where the evidence of a joint comes from, and how its records were read. Vectors of records have
+/// one entry each, in the order of the evidence.
+struct EvidenceSources {
+  std::vector<std::string> records = {};            ///< of each record: file, or name
   std::vector<double> input = {};                   ///< number of the file of each record, from 1
-  std::vector<std::string> tables = {};             ///< of each table of levels: its file
-  std::vector<std::size_t> levels = {};             ///< of each: how many were used
   std::vector<RecordStart> start = {};              ///< of each record; detected where not given
   std::vector<std::optional<DriftFit>> drift = {};  ///< of each record, as ReadyRecord::drift
+  std::vector<std::string> tables = {};             ///< of each table of levels: file, or name
+  std::vector<std::size_t> levels = {};             ///< of each: how many were used
   std::vector<InputHash> inputs = {};               ///< the files
-  Identification found;                             ///< with warnings of the files, too
+};
+
+/// Records and tables of levels of one joint as identify_evidence() takes them.
+struct SourcedEvidence {
+  std::vector<RecordEvidence> records = {};  ///< each record, with its state and without its drift
+  std::vector<LevelEvidence> levels = {};    ///< each table
+  EvidenceSources from = {};                 ///< of records and tables, in the same order
+
+  /// Adds a record. Its file, of which it may be one of several, is for the caller to hash.
+  /// @throws InputError  as ready_record(), naming the record.
+  void add(const NamedForceRecord& record, const RecordsIdentification& options);
+
+  /// Adds a table of levels, which is for the caller to hash.
+  /// @param name  of the table. @param table  its levels.
+  /// @throws InputError  as LevelEvidence, naming the table.
+  void add(const std::string& name, const Levels& table);
+};
+
+/// Result of identify_records() and identify_evidence().
+struct IdentifiedRecords {
+  EvidenceSources from = {};  ///< of its evidence
+  Identification found;       ///< with warnings of the files, too
 };
 
 /// Warning `drift_uncertain` of each record whose drift was subtracted and that is of no Masing
@@ -71,7 +92,15 @@ struct IdentifiedRecords {
 /// @param done  with its joint and drifts.
 [[nodiscard]] std::vector<Warning> drift_warnings(const IdentifiedRecords& done);
 
-/// Reads recordings and levels and identifies the joint.
+/// Identifies the joint of evidence that was read before.
+/// @param evidence  of one joint.
+/// @param options   k of the stuck joint and those of the method; the rest was for the evidence.
+/// @throws InputError  as identify().
+/// @throws Cancelled   as the progress of the options says.
+[[nodiscard]] IdentifiedRecords identify_evidence(SourcedEvidence evidence,
+                                                  const RecordsIdentification& options);
+
+/// Reads recordings and levels and identifies the joint, as identify_evidence().
 /// @throws FileError, FormatError  as read_recordings() and read_level_table().
 /// @throws InputError  as read_force_records() and identify(); where there is no recording.
 /// @throws Cancelled   as the progress of the options says.
