@@ -230,7 +230,7 @@ TEST(DmigMatrices, NamesLeaveTheMessageShort) {
   for (int i = 0; i < 12; ++i) many += fmt::format("DMIG,X{:02},7,1,,7,1,2.,,\n", i);
   EXPECT_EQ(message_of<InputError>([&] { parse(many); }),
             "m.pch = 0 matrices K…; must have one whose name begins so, or be named after a colon. "
-            "It has X00, X01, X02, X03, X04, X05, X06, X07, X08, X09 and 2 more.");
+            "It has X00, X01, X02, X03, X04, X05, X06, X07, X08, X09, and 2 more.");
 }
 
 }  // namespace

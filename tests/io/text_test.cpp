@@ -72,6 +72,15 @@ TEST(Text, TrimsBlanksAndTabs) {
   EXPECT_EQ(trimmed(" \t "), "");
 }
 
+TEST(Text, ListsTheFirstOfMany) {
+  const std::vector<std::string> names{"a", "b", "c"};
+  EXPECT_EQ(first_texts(names, 3), "a, b, c");
+  EXPECT_EQ(first_texts(names, 2), "a, b, and 1 more");
+  EXPECT_EQ(first_texts(names, 1, "; "), "a; and 2 more");
+  EXPECT_EQ(list_of_names(names, 2), "'a', 'b', and 1 more");
+  EXPECT_EQ(list_of_names({}), "nothing");
+}
+
 TEST(TextPieces, AreLinesCellsAndWholeNumbers) {
   std::string_view rest = "a\r\n\nb";
   EXPECT_EQ(take_line(rest), "a\r");

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cstddef>
 
 namespace microslip {
 namespace {
@@ -106,6 +107,20 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string first_texts(const std::vector<std::string>& texts, std::size_t most,
+                        std::string_view separator) {
+  const auto shown = static_cast<std::ptrdiff_t>(std::min(texts.size(), most));
+  std::string text = fmt::format("{}", fmt::join(texts.begin(), texts.begin() + shown, separator));
+  if (texts.size() > most) text += fmt::format("{}and {} more", separator, texts.size() - most);
+  return text;
+}
+
+std::string list_of_names(const std::vector<std::string>& names, std::size_t most) {
+  std::vector<std::string> quoted;
+  for (const std::string& name : names) quoted.push_back(in_quotes(name));
+  return names.empty() ? "nothing" : first_texts(quoted, most);
 }
 
 std::string in_capitals(std::string_view text) {

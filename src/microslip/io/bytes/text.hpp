@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 
@@ -38,6 +39,14 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// The text without blanks and tabs at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// Texts with separators between them; of more than `most` the first ones: "a, b, and 4 more".
+[[nodiscard]] std::string first_texts(const std::vector<std::string>& texts, std::size_t most,
+                                      std::string_view separator = ", ");
+
+/// first_texts() of names in quotes; "nothing" where there are none.
+[[nodiscard]] std::string list_of_names(const std::vector<std::string>& names,
+                                        std::size_t most = 12);
 
 /// The text with the letters of ASCII in capitals.
 [[nodiscard]] std::string in_capitals(std::string_view text);

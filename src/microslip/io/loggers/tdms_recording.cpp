@@ -49,15 +49,8 @@ Attributes attributes_of(const TdmsProperties& properties) {
   return attributes;
 }
 
-/// The names between commas, of many the first ones.
-std::string first_of(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 5;
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < kMost; ++i) {
-    text += (i == 0 ? "" : ", ") + in_quotes(names[i]);
-  }
-  return names.size() <= kMost ? text : text + fmt::format(" and {} more", names.size() - kMost);
-}
+/// Names that a warning shows.
+constexpr std::size_t kMostNames = 5;
 
 const TdmsProperties kNoProperties;
 
@@ -226,7 +219,7 @@ class TdmsGroups {
         {"start_time_missing",
          fmt::format("{}: {} without wf_start_time beside channels that state one; taken to begin "
                      "with the earliest of them. State it for all channels",
-                     path_, first_of(names))});
+                     path_, list_of_names(names, kMostNames))});
   }
 
   void name(LoggedChannel& logged) {
@@ -303,7 +296,8 @@ class TdmsGroups {
           {"channels_apart",
            fmt::format("{}: {} of {} in a recording apart: {}; a call that needs channels together "
                        "takes them from one recording, so have them recorded alike",
-                       path_, first_of(apart.names), in_quotes(group.name, 80), apart.reason)});
+                       path_, list_of_names(apart.names, kMostNames), in_quotes(group.name, 80),
+                       apart.reason)});
     }
   }
 

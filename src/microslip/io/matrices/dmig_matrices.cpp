@@ -144,12 +144,7 @@ class DmigFile {
     for (const auto& [name, matrix] : matrices_) {
       names.insert(is_square(matrix) ? name : fmt::format("{} ({})", name, form_text(matrix)));
     }
-    std::string there;
-    for (const std::string& name : names | std::views::take(kNamesShown)) {
-      there += (there.empty() ? "" : ", ") + name;
-    }
-    if (names.size() > kNamesShown)
-      there += fmt::format(" and {} more", names.size() - kNamesShown);
+    const std::string there = first_texts({names.begin(), names.end()}, kNamesShown);
     throw InputError(source_.file,
                      source_.name.empty() ? fmt::format("{} matrices {}…", found, source_.initial)
                                           : fmt::format("no matrix {}", source_.name),

@@ -113,14 +113,4 @@ std::string other_class(std::string_view name) {
   return "an object of the class " + in_quotes(name);
 }
 
-std::string list_of_names(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 12;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
-    list += fmt::format("{}{}", i == 0 ? "" : ", ", in_quotes(names[i]));
-  }
-  if (names.size() > kMost) list += fmt::format(", … ({} in all)", names.size());
-  return names.empty() ? "nothing" : list;
-}
-
 }  // namespace microslip

@@ -64,9 +64,6 @@ struct MatValue {
 /// 'timetable'".
 [[nodiscard]] std::string other_class(std::string_view name);
 
-/// "'a', 'b'", cut after a dozen.
-[[nodiscard]] std::string list_of_names(const std::vector<std::string>& names);
-
 /// The variables of a file, as a struct of one element.
 struct MatTree {
   MatValue root;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "microslip/io/bytes/text.hpp"
+
 namespace microslip {
 namespace {
 
@@ -56,12 +58,12 @@ std::string count_text(const Contradictions& all) {
 /// "s2m2, D +20 %; s2m1, D -3 %; and 4 more".
 std::string list_text(const std::vector<PartLeftOut>& parts) {
   constexpr std::size_t kMost = 3;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kMost, parts.size()); ++i) {
-    text += fmt::format("{}{}, D {:+.2g} %", i == 0 ? "" : "; ", parts[i].name,
-                        100.0 * std::expm1(parts[i].mean_deviation));
+  std::vector<std::string> texts;
+  for (const PartLeftOut& part : parts) {
+    texts.push_back(
+        fmt::format("{}, D {:+.2g} %", part.name, 100.0 * std::expm1(part.mean_deviation)));
   }
-  return parts.size() <= kMost ? text : fmt::format("{}; and {} more", text, parts.size() - kMost);
+  return first_texts(texts, kMost, "; ");
 }
 
 }  // namespace
