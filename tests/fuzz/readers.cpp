@@ -21,6 +21,7 @@
 #include "microslip/documents/levels/modal_levels_file.hpp"
 #include "microslip/documents/levels/path_file.hpp"
 #include "microslip/documents/levels/stepped_sine_file.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/documents/response/load_file.hpp"
 #include "microslip/documents/response/power_density_file.hpp"
 #include "microslip/documents/structure/model_file.hpp"
@@ -174,7 +175,7 @@ void read_tables(const std::string& text, MemoryFile& file) {
   attempt([&] { (void)parse_loads(text, kName, structure); });
   attempt([&] { (void)read_power_density(file.path(), kAcceleration); });
   attempt([&] {
-    if (is_stepped_sine(file.path())) (void)read_stepped_sines(file.path());
+    if (is_stepped_sine(file.path())) (void)read_stepped_sines(open_test(file.path()));
   });
   attempt([&] {
     const CsvTable table(text, kName);

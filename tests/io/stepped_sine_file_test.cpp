@@ -19,6 +19,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/documents/levels/levels_file.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/documents/structure/rig_file.hpp"
 #include "microslip/rig/reduction/reduction.hpp"
 
@@ -29,6 +30,10 @@ using test::message_of;
 using Numbers = std::vector<double>;
 
 const std::string kExamples = MICROSLIP_EXAMPLES;
+
+std::vector<SteppedSine> sweeps_in(const std::string& path) {
+  return read_stepped_sines(open_test(path));
+}
 
 void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
   for (const std::string& part : parts) {
@@ -48,7 +53,7 @@ TEST(SteppedSineFile, ReadsATextInAnyUnitsAndOrder) {
   const std::string path = folder.file("sweep.csv");
   test::put(path, kTable);
   EXPECT_TRUE(is_stepped_sine(path));
-  const std::vector<SteppedSine> sweeps = read_stepped_sines(path);
+  const std::vector<SteppedSine> sweeps = sweeps_in(path);
   ASSERT_EQ(sweeps.size(), 1U);
   EXPECT_EQ(sweeps[0].source, path);
   EXPECT_EQ(sweeps[0].frequency, (Numbers{80.0, 80.5}));
@@ -84,7 +89,7 @@ TEST(SteppedSineFile, NamesThePartThatASweepLacks) {
   const auto refused = [&](const std::string& content) {
     test::put(path, content);
     EXPECT_TRUE(is_stepped_sine(path)) << content;
-    return message_of<FormatError>([&] { return read_stepped_sines(path); });
+    return message_of<FormatError>([&] { return sweeps_in(path); });
   };
   expect_parts(refused("frequency [Hz],force [N],acceleration [g]\n1,1,1\n2,1,1\n"),
                {"with phase [rad]", "relative to the force"});
@@ -106,7 +111,7 @@ TEST(SteppedSineFile, NamesThePlaceOfAFault) {
   const std::string path = folder.file("x.csv");
   const auto fault = [&](const std::string& content) {
     test::put(path, content);
-    return message_of<FormatError>([&] { return read_stepped_sines(path); });
+    return message_of<FormatError>([&] { return sweeps_in(path); });
   };
   EXPECT_NE(fault("frequency [Hz],force,acceleration [g],phase [rad]\n1,1,1,1\n")
                 .find("x.csv:1:16: expected a unit of force"),
@@ -117,7 +122,7 @@ TEST(SteppedSineFile, NamesThePlaceOfAFault) {
   EXPECT_NE(fault("frequency [Hz],force [N],acceleration [g],phase [rad]\n1,1,x,1\n")
                 .find("x.csv:2:5: expected a finite number"),
             std::string::npos);
-  EXPECT_NE(message_of<FileError>([] { return read_stepped_sines("none.csv"); }).find("none.csv"),
+  EXPECT_NE(message_of<FileError>([] { return sweeps_in("none.csv"); }).find("none.csv"),
             std::string::npos);
 }
 
@@ -174,14 +179,14 @@ TEST(SteppedSineFile, ReadsAStructArray) {
     EXPECT_TRUE(is_stepped_sine(path + ":s"));
     EXPECT_FALSE(is_stepped_sine(path)) << "the file alone";
     EXPECT_FALSE(is_stepped_sine(path + ":t"));
-    const std::vector<SteppedSine> sweeps = read_stepped_sines(path + ":s");
+    const std::vector<SteppedSine> sweeps = sweeps_in(path + ":s");
     ASSERT_EQ(sweeps.size(), 2U);
     EXPECT_EQ(sweeps[1].source, path + ":s(2)");
     EXPECT_EQ(sweeps[1].frequency, (Numbers{80.0, 80.5}));
     EXPECT_EQ(sweeps[1].force, (Numbers{1500.0, 750.0}));
     EXPECT_EQ(sweeps[0].acceleration, (Numbers{9.80665, 19.6133}));
     EXPECT_DOUBLE_EQ(sweeps[0].phase[1], -std::numbers::pi / 2.0);
-    const std::vector<SteppedSine> one = read_stepped_sines(path + ":s(2)");
+    const std::vector<SteppedSine> one = sweeps_in(path + ":s(2)");
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(one[0].force, sweeps[1].force);
   }
@@ -191,7 +196,7 @@ TEST(SteppedSineFile, IsInSiWithoutUnits) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("sweeps.mat");
   write_mat(path, {fields("amplitude", 1.0)});
-  const std::vector<SteppedSine> sweeps = read_stepped_sines(path + ":s");
+  const std::vector<SteppedSine> sweeps = sweeps_in(path + ":s");
   EXPECT_EQ(sweeps[0].source, path + ":s");
   EXPECT_EQ(sweeps[0].force, (Numbers{0.5, 0.25}));
   EXPECT_EQ(sweeps[0].phase, (Numbers{-10.0, -90.0}));
@@ -203,8 +208,7 @@ TEST(SteppedSineFile, RefusesUnitsThatAreNone) {
   for (const std::string units : {"Hz, N, g", "Hz, g, N, deg", "Hz; N; g; deg", "Hz, N, g, deg, s",
                                   "Hz, N, g,", "Hz,, g, deg"}) {
     write_mat(path, {fields("amplitude", 1.0)}, units);
-    const std::string message =
-        message_of<InputError>([&] { return read_stepped_sines(path + ":s"); });
+    const std::string message = message_of<InputError>([&] { return sweeps_in(path + ":s"); });
     EXPECT_NE(message.find("s.units = '" + units + "'; must be units of"), std::string::npos)
         << message;
   }
@@ -214,7 +218,7 @@ TEST(SteppedSineFile, RefusesAnArrayWithoutSweeps) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("sweeps.mat");
   write_mat(path, {});
-  EXPECT_NE(message_of<InputError>([&] { return read_stepped_sines(path + ":s"); }), "no error");
+  EXPECT_NE(message_of<InputError>([&] { return sweeps_in(path + ":s"); }), "no error");
 }
 
 // ---- The published tests of a real beam. ----
@@ -227,7 +231,7 @@ TEST(SteppedSineFile, BrakeReussBeam) {
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   const std::string path = file + ":FRdata.ResponseControl";
   ASSERT_TRUE(is_stepped_sine(path));
-  const std::vector<SteppedSine> sweeps = read_stepped_sines(path);
+  const std::vector<SteppedSine> sweeps = sweeps_in(path);
   ASSERT_EQ(sweeps.size(), 8U);
 
   const Levels expected = read_levels(kExamples + "/brake_reuss_beam/levels.csv").levels;
@@ -302,7 +306,7 @@ TEST(SteppedSineFile, ReadsFrequencyResponsesWithTheirLevels) {
                                       dataset(12, kVelocityLine, kNoLine, velocity)}) {
     test::put(path, "    -1\n   151\nPlate\nNONE\nTest system\n    -1\n" + text);
     ASSERT_TRUE(is_stepped_sine(path));
-    const std::vector<SteppedSine> sweeps = read_stepped_sines(path);
+    const std::vector<SteppedSine> sweeps = sweeps_in(path);
     ASSERT_EQ(sweeps.size(), 1U);
     EXPECT_EQ(sweeps[0].frequency, (Numbers{80.0, 80.5, 81.5}));
     const Numbers force{0.4, 0.5, 1.0};
@@ -321,7 +325,7 @@ TEST(SteppedSineFile, SaysWhatAFrequencyResponseLacks) {
   const std::string response = dataset(4, kAccelerationLine, kForceLine, {-8.0, {0.0, 6.0}, 4.0});
   test::put(path, response);
   ASSERT_TRUE(is_stepped_sine(path));
-  const std::string without = message_of<InputError>([&] { return read_stepped_sines(path); });
+  const std::string without = message_of<InputError>([&] { return sweeps_in(path); });
   EXPECT_NE(without.find("sweep.unv"), std::string::npos) << without;
   EXPECT_NE(without.find("0 channels with the level of the response"), std::string::npos)
       << without;
@@ -329,10 +333,10 @@ TEST(SteppedSineFile, SaysWhatAFrequencyResponseLacks) {
   const std::string level = dataset(12, kAccelerationLine, kNoLine, {2.0, 3.0, 4.0});
   test::put(path, level + response);
   ASSERT_TRUE(is_stepped_sine(path));
-  EXPECT_EQ(read_stepped_sines(path).at(0).force[0], 0.25);
+  EXPECT_EQ(sweeps_in(path).at(0).force[0], 0.25);
   test::put(path, level);
   EXPECT_NE(message_of<InputError>([&] {
-              return read_stepped_sines(path);
+              return sweeps_in(path);
             }).find("0 channels with a frequency response"),
             std::string::npos);
 }
@@ -345,7 +349,7 @@ TEST(SteppedSineFile, ReadsFrequencyResponsesOfAStruct) {
     const Fields sweep{{name, {80.0, 81.0}}, {"FRF", {4000.0, 8000.0}}, {"Response", {2.0, 1.0}}};
     write_mat(path, {sweep, sweep}, units);
     ASSERT_TRUE(is_stepped_sine(path + ":s"));
-    const std::vector<SteppedSine> sweeps = read_stepped_sines(path + ":s");
+    const std::vector<SteppedSine> sweeps = sweeps_in(path + ":s");
     ASSERT_EQ(sweeps.size(), 2U);
     EXPECT_EQ(sweeps[1].source, path + ":s(2)");
     EXPECT_NEAR(sweeps[0].force[0], 0.5, 1e-12);
@@ -355,7 +359,7 @@ TEST(SteppedSineFile, ReadsFrequencyResponsesOfAStruct) {
   }
   write_mat(path, {{{"Freq", {80.0, 81.0}}, {"FRF", {4.0, 8.0}}, {"Response", {2.0}}}});
   EXPECT_NE(message_of<InputError>([&] {
-              return read_stepped_sines(path + ":s");
+              return sweeps_in(path + ":s");
             }).find("2 frequencies, 2 frequency responses and 1 responses"),
             std::string::npos);
 }

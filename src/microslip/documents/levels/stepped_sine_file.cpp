@@ -122,25 +122,6 @@ SteppedSine read_element(const PartOfFile& part, const std::string& variable,
           .phase = numbers("phase", units[3])};
 }
 
-std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
-  const std::vector<std::string> fields = mat_fields(part.file, part.variable);
-  if (!has_response_fields(fields)) {
-    require_parts(fields, {.file = fmt::format("{}: {}", part.file, part.variable)}, "fields");
-  }
-  const std::size_t count = mat_count(part.file, part.variable);
-  if (count == 0) {
-    throw InputError(fmt::format("{}: {}", part.file, part.variable), "an empty array",
-                     "must contain at least one sweep");
-  }
-  std::vector<SteppedSine> sweeps;
-  for (std::size_t i = 1; i <= count; ++i) {
-    const std::string element =
-        count == 1 ? part.variable : fmt::format("{}({})", part.variable, i);
-    sweeps.push_back(read_element(part, element, fields));
-  }
-  return sweeps;
-}
-
 /// Whether it is a universal file over frequencies.
 bool is_response_sweep(std::string_view head) {
   return signature(head) == recording_kind(RecordingFormat::kUff) && is_over_frequency(head);
@@ -198,11 +179,23 @@ bool is_stepped_sine(const std::string& path) {
   }
 }
 
-std::vector<SteppedSine> read_stepped_sines(const std::string& path) {
-  const PartOfFile part = part_of_file(path);
-  if (!part.variable.empty()) return read_mat_sweeps(part);
-  if (is_response_sweep(head_of(path))) return response_sweeps(read_recordings(path, {}), path);
-  return {parse_stepped_sine(read_text(path), input_name(path))};
+std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
+  const std::vector<std::string> fields = mat_fields(part.file, part.variable);
+  if (!has_response_fields(fields)) {
+    require_parts(fields, {.file = fmt::format("{}: {}", part.file, part.variable)}, "fields");
+  }
+  const std::size_t count = mat_count(part.file, part.variable);
+  if (count == 0) {
+    throw InputError(fmt::format("{}: {}", part.file, part.variable), "an empty array",
+                     "must contain at least one sweep");
+  }
+  std::vector<SteppedSine> sweeps;
+  for (std::size_t i = 1; i <= count; ++i) {
+    const std::string element =
+        count == 1 ? part.variable : fmt::format("{}({})", part.variable, i);
+    sweeps.push_back(read_element(part, element, fields));
+  }
+  return sweeps;
 }
 
 }  // namespace microslip

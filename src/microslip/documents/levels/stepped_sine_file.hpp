@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/io/bytes/part_of_file.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
 
 /// @file
@@ -21,7 +22,7 @@
 namespace microslip {
 
 /// Whether a path names such a table, by its columns or fields; also one that lacks a part of it,
-/// as the phase, which read_stepped_sines() says. False for a file that cannot be read, and for a
+/// as the phase, which those that read it say. False for a file that cannot be read, and for a
 /// pipe, of which nothing is taken: it could be read only once.
 [[nodiscard]] bool is_stepped_sine(const std::string& path);
 
@@ -30,12 +31,13 @@ namespace microslip {
 
 /// Parses a table in CSV.
 /// @param text  all of it. @param name  of its file, for messages.
-/// @throws FormatError, InputError  as read_stepped_sines().
+/// @throws FormatError, InputError  naming the place, where something is missing, no number or of
+///                                  another unit.
 [[nodiscard]] SteppedSine parse_stepped_sine(std::string text, const std::string& name);
 
-/// The sweeps of a path that is_stepped_sine().
-/// @throws FileError, FormatError, InputError  naming the place, where something is missing, no
-///                                             number or of another unit.
-[[nodiscard]] std::vector<SteppedSine> read_stepped_sines(const std::string& path);
+/// The sweeps of a variable of a MATLAB file.
+/// @throws FileError                as the reader of the file.
+/// @throws FormatError, InputError  as parse_stepped_sine().
+[[nodiscard]] std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part);
 
 }  // namespace microslip

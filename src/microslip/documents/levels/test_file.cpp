@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/documents/levels/response_sweep.hpp"
 #include "microslip/documents/levels/stepped_sine_file.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
@@ -78,9 +79,10 @@ Recordings read_recordings(const TestFile& file, const RecordingReadOptions& opt
 }
 
 std::vector<SteppedSine> read_stepped_sines(const TestFile& file) {
-  const bool has_a_reader =
-      !file.part.variable.empty() || file.kind == recording_kind(RecordingFormat::kUff);
-  if (has_a_reader) return read_stepped_sines(file.path);
+  if (!file.part.variable.empty()) return read_mat_sweeps(file.part);
+  if (file.kind == recording_kind(RecordingFormat::kUff)) {
+    return response_sweeps(read_recordings(file, {}), file.path);
+  }
   return {parse_stepped_sine(text_of(file), input_name(file.path))};
 }
 

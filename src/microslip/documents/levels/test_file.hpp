@@ -61,7 +61,8 @@ void require_file(const TestFile& file, const std::string& name, std::string_vie
 [[nodiscard]] Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options);
 
 /// The sweeps of a file whose content is kSteppedSine.
-/// @throws FileError, FormatError, InputError  as read_stepped_sines().
+/// @throws FileError, FormatError, InputError  as read_mat_sweeps(), response_sweeps() and
+///                                             parse_stepped_sine().
 [[nodiscard]] std::vector<SteppedSine> read_stepped_sines(const TestFile& file);
 
 }  // namespace microslip
