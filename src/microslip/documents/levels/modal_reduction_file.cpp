@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include "microslip/base/codes.hpp"
 
 namespace microslip {
 namespace {
@@ -82,12 +83,6 @@ void ModalColumns::add_joint(const std::string& name, std::size_t index) {
                });
 }
 
-std::string codes_of_flags(const ModalLevel& level) {
-  std::string codes;
-  for (const Warning& flag : level.flags) codes += (codes.empty() ? "" : " ") + flag.code;
-  return codes;
-}
-
 }  // namespace
 
 CsvWriter modal_reduction_table(std::span<const ModalLevel> levels,
@@ -111,7 +106,7 @@ CsvWriter modal_reduction_table(std::span<const ModalLevel> levels,
   columns.add("input_energy", kEnergy, std::mem_fn(&ModalLevel::input_energy));
   columns.add("linear_dissipation", kEnergy, std::mem_fn(&ModalLevel::linear_dissipation));
   columns.add("force_distortion", kDimensionless, std::mem_fn(&ModalLevel::force_distortion));
-  columns.add_text("flags", codes_of_flags);
+  columns.add_text("flags", [](const ModalLevel& level) { return joined_codes(level.flags); });
   return columns.done();
 }
 

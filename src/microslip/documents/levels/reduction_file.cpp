@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/base/codes.hpp"
 #include "microslip/documents/levels/levels_file.hpp"
 #include "microslip/observe/levels.hpp"
 
@@ -47,11 +48,7 @@ Levels levels_of(std::span<const ReducedLevel> reduced) {
   return levels;
 }
 
-std::string flags_of(const ReducedLevel& level) {
-  std::string flags;
-  for (const Warning& flag : level.flags) flags += (flags.empty() ? "" : " ") + flag.code;
-  return flags;
-}
+std::string flags_of(const ReducedLevel& level) { return joined_codes(level.flags); }
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include "microslip/base/codes.hpp"
 
 namespace microslip {
 namespace {
@@ -23,10 +24,8 @@ auto column(std::span<const Verification> records, Count count, Value value) {
 }
 
 std::string flags_of(const Verification& record) {
-  std::string flags;
-  for (const auto* list : {&record.recorded.flags, &record.warnings}) {
-    for (const Warning& flag : *list) flags += (flags.empty() ? "" : " ") + flag.code;
-  }
+  std::string flags = joined_codes(record.recorded.flags);
+  for (const Warning& warning : record.warnings) add_code(flags, warning.code);
   return flags;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "microslip/base/codes.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/plausibility.hpp"
 #include "microslip/signal/decay/ring_down_reading.hpp"
@@ -74,7 +75,7 @@ std::vector<ChosenWindow> chosen_windows(const RingDown& decay) {
       return std::abs(decay.time[level.index] - decay.time[i]);
     });
     std::istringstream codes(decay.flags[i]);
-    for (std::string code; codes >> code;) add_flag(nearest.flags, code);
+    for (std::string code; codes >> code;) add_code(nearest.flags, code);
   }
   return chosen;
 }

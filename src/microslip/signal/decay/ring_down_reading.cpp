@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string_view>
 #include <utility>
+#include "microslip/base/codes.hpp"
 
 namespace microslip {
 namespace {
@@ -50,14 +51,14 @@ double shift_that_counts(const DecayTrack& track, std::size_t i) {
 void flag_windows(const DecayTrack& track, std::vector<std::string>& flags) {
   flag_clipped(track, track, flags);
   for (std::size_t i = 0; i < flags.size(); ++i) {
-    if (relative_leakage(track.walk.windows[i]) > kLeaks) add_flag(flags[i], "neighbour_leaks");
+    if (relative_leakage(track.walk.windows[i]) > kLeaks) add_code(flags[i], "neighbour_leaks");
     const DecayPoint& own = track.points[i];
     const DecayPoint noise =
         decay_point(track.walk.windows[i], track.task.measured, track.walk.noise_variance);
-    if (shift_that_counts(track, i) > 0.0) add_flag(flags[i], second_code(track));
+    if (shift_that_counts(track, i) > 0.0) add_code(flags[i], second_code(track));
     const double spread = std::sqrt(
         std::max(0.0, own.damping_std * own.damping_std - noise.damping_std * noise.damping_std));
-    if (spread > kMatters * own.damping) add_flag(flags[i], "window_matters");
+    if (spread > kMatters * own.damping) add_code(flags[i], "window_matters");
   }
 }
 
@@ -238,14 +239,8 @@ void flag_clipped(const DecayTrack& sensor, const DecayTrack& track,
   const double until = sensor.offset + sensor.walk.windows[count - 1].centre;
   for (std::size_t i = 0; i < flags.size(); ++i) {
     const bool later = track.offset + track.walk.windows[i].centre > until;
-    if (!later) add_flag(flags[i], "clipped");
+    if (!later) add_code(flags[i], "clipped");
   }
-}
-
-void add_flag(std::string& flags, std::string_view code) {
-  if (fmt::format(" {} ", flags).find(fmt::format(" {} ", code)) != std::string::npos) return;
-  if (!flags.empty()) flags += ' ';
-  flags += code;
 }
 
 RingDown ring_down_of(const DecayTrack& track, const std::vector<DecayPoint>& points,

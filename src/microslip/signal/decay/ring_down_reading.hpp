@@ -30,7 +30,4 @@ namespace microslip {
 void flag_clipped(const DecayTrack& sensor, const DecayTrack& track,
                   std::vector<std::string>& flags);
 
-/// Adds a code to the flags of a window, once.
-void add_flag(std::string& flags, std::string_view code);
-
 }  // namespace microslip

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "microslip/base/codes.hpp"
 #include "microslip/base/median.hpp"
 #include "microslip/signal/decay/ring_down_reading.hpp"
 #include "microslip/signal/decay/sensor_means.hpp"
@@ -345,7 +346,7 @@ class Combination {
              moved.name)});
   }
 
-  void flag(std::size_t window, std::string_view code) { add_flag(result_.flags[window], code); }
+  void flag(std::size_t window, std::string_view code) { add_code(result_.flags[window], code); }
 
   const std::vector<SensorTrack>& tracks_;
   CombinedDecay result_;

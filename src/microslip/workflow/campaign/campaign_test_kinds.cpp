@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "microslip/base/codes.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
@@ -244,7 +245,7 @@ void flag_modulated(const RingDownLevels& modal, RingDownLevels& levels) {
     const auto same = std::ranges::find(modal.time, levels.time[i]) - modal.time.begin();
     const std::string& flags = modal.flags[static_cast<std::size_t>(same)];
     if (flags.find(kModesModulate) == std::string::npos) continue;
-    levels.flags[i] += (levels.flags[i].empty() ? "" : " ") + std::string(kModesModulate);
+    add_code(levels.flags[i], kModesModulate);
   }
 }
 

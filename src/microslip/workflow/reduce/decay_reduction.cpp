@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "microslip/base/codes.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/documents/levels/levels_file.hpp"
 #include "microslip/io/bytes/text.hpp"
@@ -24,7 +25,7 @@ namespace {
 std::vector<std::string> flags_of(const ReducedDecay& reduced) {
   const std::string all = codes_of_decay(reduced.warnings);
   std::vector<std::string> flags = reduced.levels.flags;
-  for (std::string& own : flags) own += (own.empty() || all.empty() ? "" : " ") + all;
+  for (std::string& own : flags) add_code(own, all);
   return flags;
 }
 

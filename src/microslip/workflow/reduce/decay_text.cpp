@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include "microslip/base/codes.hpp"
 
 namespace microslip {
 
@@ -15,8 +16,7 @@ std::string codes_of_decay(const std::vector<Warning>& warnings) {
     constexpr std::string_view kOfLevels[] = {"beats",          "clipped",     "neighbour_leaks",
                                               "sensors_differ", "shape_moves", "steady_tone"};
     if (std::ranges::find(kOfLevels, warning.code) != std::end(kOfLevels)) continue;
-    if ((" " + codes + " ").find(" " + warning.code + " ") != std::string::npos) continue;
-    codes += (codes.empty() ? "" : " ") + warning.code;
+    add_code(codes, warning.code);
   }
   return codes;
 }

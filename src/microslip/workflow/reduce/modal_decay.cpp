@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "microslip/base/codes.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/execution.hpp"
 #include "microslip/documents/structure/model_file.hpp"
@@ -159,11 +160,6 @@ double joint_motion_at(const FollowedMode& mode, double time) {
   const double share = (time - decay.time[i - 1]) / (decay.time[i] - decay.time[i - 1]);
   return scale * std::pow(decay.amplitude[i - 1], 1.0 - share) *
          std::pow(decay.amplitude[i], share);
-}
-
-void add_code(std::string& flags, std::string_view code) {
-  flags += flags.empty() ? "" : " ";
-  flags += code;
 }
 
 /// Flags the levels of a mode during which the others move the joints.
@@ -359,7 +355,7 @@ std::string modal_levels_text(const ReducedModalDecay& reduced, std::string_view
   for (const ModalDecay& mode : reduced.modes) {
     const std::string all = codes_of_decay(mode.decay.warnings);
     for (std::string own : mode.levels.flags) {
-      if (!all.empty()) add_code(own, all);
+      add_code(own, all);
       flags.push_back(std::move(own));
       numbers.push_back(static_cast<double>(mode.mode));
     }
