@@ -368,7 +368,7 @@ class Joint(Shown):
         law : {"incremental", "total"}
             How the force of stuck elements follows a change of the load.
         elements : int
-            Number of Jenkins elements, 1 or more.
+            Number of Jenkins elements; 1 to 1000000.
 
         Returns
         -------
@@ -377,7 +377,7 @@ class Joint(Shown):
         """
         path = real_array(displacement, "displacement")
         one_of(law, "law", ("incremental", "total"))
-        count = whole(elements, "elements", 1)
+        count = whole(elements, "elements", 1, 1_000_000)
         if normal_load is None:
             return self.memory().march(path)
         load = real_array(normal_load, "normal_load", length=len(path), per="one per displacement")

@@ -272,6 +272,6 @@ def march_arguments(
         "largest_imbalance": positive(largest_imbalance, "largest_imbalance"),
         "estimate_error": flag(estimate_error, "estimate_error"),
         "largest_error": positive(largest_error, "largest_error"),
-        "elements": whole(elements, "elements", 1),
+        "elements": whole(elements, "elements", 1, 1_000_000),
     }
     return times, acting, loads, options

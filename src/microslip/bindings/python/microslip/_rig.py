@@ -373,7 +373,7 @@ def reduce(
     order : int
         Number of fitted harmonics; 1 to 100.
     modes : int
-        Number of modes of the beam; 0: those of the rig's test, or 30.
+        Number of modes of the beam, 1 to 200; 0: those of the rig's test, or 30.
     use_vibrometer : bool
         Whether the joint displacement is taken from the vibrometer, where there is one.
     skip_faulty : bool
@@ -525,11 +525,11 @@ def verify(
     harmonics : int
         Number of harmonics that are fitted and compared; 1 to 100.
     modes : int
-        Number of modes of the beam in the model.
+        Number of modes of the beam in the model; 1 to 200.
     sine : bool
         Whether only the first harmonic of the force drives the model.
     cycles : float
-        Number of cycles that are kept as histories.
+        Number of cycles that are kept as histories; 0 or more.
     use_vibrometer, skip_faulty
         As of `reduce`.
     linear_damping : float, optional
