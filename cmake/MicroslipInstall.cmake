@@ -65,7 +65,7 @@ if(TARGET microslip_c)
     COMPONENT library)
   install(
     FILES "${PROJECT_SOURCE_DIR}/src/microslip/bindings/c/microslip.h"
-          "${PROJECT_SOURCE_DIR}/src/microslip/bindings/c/microslip.f90"
+          "${PROJECT_BINARY_DIR}/include/bindings_c/public/microslip.f90"
           "${PROJECT_BINARY_DIR}/include/bindings_c/public/microslip_version.h"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
     COMPONENT library)
