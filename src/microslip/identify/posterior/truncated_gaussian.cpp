@@ -100,6 +100,8 @@ void TruncatedGaussian::prepare_limits() {
   limits_set_ = true;
   normals_ *= scale.asDiagonal();
   offset_ = offset_.cwiseProduct(scale);
+  cosines_.resize(offset_.size(), offset_.size());
+  has_cosines_.assign(static_cast<std::size_t>(offset_.size()), false);
 }
 
 // A limit that a trajectory p cos t + v sin t + offset goes down through: at the phase where it is
@@ -123,7 +125,10 @@ TruncatedGaussian::Hit TruncatedGaussian::next_hit(double before, Eigen::Index l
 void TruncatedGaussian::reflect(Eigen::Index limit) {
   const double speed = 2.0 * velocity_of_limits_(limit);
   velocity_ -= speed * normals_.col(limit);
-  velocity_of_limits_.noalias() -= speed * (normals_.transpose() * normals_.col(limit));
+  std::vector<bool>::reference known = has_cosines_[static_cast<std::size_t>(limit)];
+  if (!known) cosines_.col(limit).noalias() = normals_.transpose() * normals_.col(limit);
+  known = true;
+  velocity_of_limits_ -= speed * cosines_.col(limit);
 }
 
 void TruncatedGaussian::move(Eigen::VectorXd& x, RandomStream& random, int most_reflections) {

@@ -87,6 +87,9 @@ class TruncatedGaussian {
   // Limits fᵀz + offset ≥ 0, each in its own standard deviations; f is a column of normals_.
   Eigen::MatrixXd normals_;
   Eigen::VectorXd offset_;
+  // fᵀf' of a limit with all: most are met often, or never, so that each is found when it is met.
+  Eigen::MatrixXd cosines_;
+  std::vector<bool> has_cosines_;
   Eigen::VectorXd position_;  // z
   Eigen::VectorXd velocity_;
   Eigen::VectorXd position_of_limits_;  // fᵀz
