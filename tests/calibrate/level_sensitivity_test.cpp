@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
+#include "microslip/dynamics/structure/modal_offsets.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "support/chain_structure.hpp"
@@ -96,6 +97,44 @@ TEST_P(Sensitivity, IsThatOfTheDisplacementToo) {
   for (std::size_t j = 0; j < 2; ++j) {
     const double moved = (more.joints[j].amplitude - less.joints[j].amplitude) / (2.0 * kStep);
     EXPECT_NEAR(found.amplitude_by_response(static_cast<Eigen::Index>(j)), moved, 0.01 * moved);
+  }
+}
+
+// The derivatives by the frequencies of the modes without joints and by the springs in them: finite
+// differences.
+TEST_P(Sensitivity, IsThatOfTheModesToo) {
+  const auto [forcing, compliance, mode] = GetParam();
+  constexpr Target kAt{Quantity::kResponse, 2e-5};
+  constexpr double kStep = 1e-4;
+  const JointedStructure structure = structure_with(0.5, 0.4, compliance);
+  const std::size_t modes = structure.linear().size();
+  const auto solve = [&, at_mode = mode, used = forcing](std::size_t moved, double offset) {
+    std::vector<double> offsets(modes, 0.0);
+    std::vector<double> springs(2, 0.0);
+    (moved < modes ? offsets[moved] : springs[moved - modes]) = offset;
+    const HarmonicBalance balance(with_modal_offsets(structure, offsets, springs), {"p1"},
+                                  {.forcing = used});
+    const VibrationResult found = balance.solve(kPhaseResonance, kAt, at_mode);
+    EXPECT_TRUE(found.summary.converged()) << found.summary.reason;
+    return found.vibration;
+  };
+  const SteadyVibration at = solve(0, 0.0);
+  const LevelSensitivity found = level_sensitivity(structure, "p1", at, forcing);
+  for (std::size_t moved = 0; moved < modes + 2; ++moved) {
+    const SteadyVibration more = solve(moved, kStep);
+    const SteadyVibration less = solve(moved, -kStep);
+    const auto column = static_cast<Eigen::Index>(moved);
+    const double frequency = (more.angular_frequency - less.angular_frequency) / (2.0 * kStep);
+    EXPECT_NEAR(found.frequency_by_mode(column), frequency, 0.003 * at.angular_frequency) << moved;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double amplitude = at.joints[j].amplitude;
+      const double change =
+          (more.joints[j].amplitude - less.joints[j].amplitude) / (2.0 * kStep * amplitude);
+      const auto row = static_cast<Eigen::Index>(j);
+      EXPECT_NEAR(found.amplitude_by_mode(row, column) / amplitude, change,
+                  0.01 * (1.0 + std::abs(change)))
+          << moved << j;
+    }
   }
 }
 

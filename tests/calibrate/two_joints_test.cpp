@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/base/random.hpp"
@@ -154,6 +155,11 @@ TEST(TwoJointsFromModalLevels, TheirStiffnessesAreFoundToo) {
   EXPECT_NEAR(found.joints[1].stiffness.value, 5e5, 1e-3 * 5e5);
 }
 
+bool warns_of(const CalibrationResult& found, std::string_view code) {
+  return std::ranges::any_of(found.warnings,
+                             [&](const Warning& warning) { return warning.code == code; });
+}
+
 // Shapes of the stuck structure are wrong by up to 30 % in the displacement of a joint; densities
 // found with them by more than all. In the studies alone: TakesAmplitudesOfSensors has these
 // shapes, too.
@@ -167,8 +173,7 @@ TEST(TwoJointsFromModalLevels, StuckShapesAreWrongByWhatTheyAreWrongBy) {
     test::record_largest("amplitude [1]", test.amplitude_error(found, joint));
     test::record_largest("density [1]", test.density(found.joints[joint], joint).first);
   }
-  EXPECT_TRUE(std::ranges::any_of(
-      found.warnings, [](const Warning& warning) { return warning.code == "scatter_large"; }));
+  EXPECT_TRUE(warns_of(found, "scatter_large"));
 }
 
 // A sensor across each joint: its amplitude is used instead of the model's.
@@ -253,6 +258,16 @@ TEST(TwoJointsFromModalLevels, BandsHoldTheLossAtTheTrueDisplacement) {
   }
 }
 
+/// Of both joints, where a tenth of the loss or more is theirs, and within their bands.
+void expect_losses(const TwoJoints& test, const CalibrationResult& found) {
+  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
+  EXPECT_LT(found.loss_scatter, 1.3);
+  for (std::size_t joint = 0; joint < 2; ++joint) {
+    EXPECT_LT(test.loss_error(found, joint, 0.1), 0.03) << joint;
+    EXPECT_GE(held(test, found, joint), 0.9) << joint;
+  }
+}
+
 // Frequencies of the structure 0.75 % too high: its softening is, too, which losses contradict.
 // They are corrected by what the modes are measured off, and the joints are as with the right ones.
 TEST(TwoJointsFromModalLevels, AreFoundInAStructureThatIsTooStiff) {
@@ -261,17 +276,48 @@ TEST(TwoJointsFromModalLevels, AreFoundInAStructureThatIsTooStiff) {
   const std::vector<double> off(test.model.structure.linear().size(), 0.0075);
   test.model.structure = with_modal_offsets(test.model.structure, off);
   const CalibrationResult found = test.calibrated();
-  ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
-  EXPECT_LT(found.loss_scatter, 1.3);
-  for (std::size_t joint = 0; joint < 2; ++joint) {
-    EXPECT_LT(test.loss_error(found, joint, 0.1), 0.03) << joint;
-    EXPECT_GE(held(test, found, joint), 0.9) << joint;
-  }
+  expect_losses(test, found);
   // To a twentieth of the offset: joints share some of the softening.
   for (const std::size_t mode : {0, 1, 2}) {
     EXPECT_NEAR(found.frequency_offset[mode], -0.0075, 4e-4) << mode;
     EXPECT_NEAR(found.modes.offset[mode], -0.0075, 4e-4) << mode;
   }
+}
+
+// All but the joints 1.5 % too stiff, as by a modulus: the stuck modes, which have the springs of
+// the joints in them, are then off by 0.36 to 0.61 %, each by another share, and so are their
+// shapes. The modes without joints are off alike; one of them is a rigid motion, so that no
+// structure has other offsets. The error of a loss is that of the tests beside this.
+TEST(TwoJointsFromModalLevels, AreFoundInAStructureWithAWrongModulus) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  TwoJoints test;
+  const std::vector<double> off(test.model.structure.linear().size(), 0.0075);
+  test.model.structure =
+      with_modal_offsets(test.model.structure, off, std::vector<double>{0.0075, 0.0075});
+  const CalibrationResult found = test.calibrated();
+  expect_losses(test, found);
+  ASSERT_EQ(found.modes.springs.size(), 2U);
+  for (const double spring : found.modes.springs) EXPECT_NEAR(spring, -0.0075, 4e-4);
+  for (const std::size_t mode : {0, 1, 2}) {
+    EXPECT_NEAR(found.modes.offset[mode], -0.0075, 4e-4) << mode;
+  }
+  EXPECT_FALSE(warns_of(found, "offsets_differ"));
+}
+
+// Each mode off by another share, those without levels, too: shapes are then off as well. The
+// offsets are found with the joints; of a mode without levels to what the levels tell of it. The
+// error of a loss is that of the tests beside this.
+TEST(TwoJointsFromModalLevels, AreFoundInAStructureWithEachModeOff) {
+  MICROSLIP_OF_RELEASE_ALONE();
+  TwoJoints test;
+  const std::vector<double> off{0.0085, 0.0035, 0.0075, 0.009, 0.005, 0.012};
+  test.model.structure = with_modal_offsets(test.model.structure, off);
+  const CalibrationResult found = test.calibrated();
+  expect_losses(test, found);
+  for (const std::size_t mode : {0, 1, 2}) {
+    EXPECT_NEAR(found.modes.offset[mode], -off[mode], 4e-4) << mode;
+  }
+  EXPECT_TRUE(warns_of(found, "offsets_differ"));
 }
 
 /// ζ of the structure with the true joints at the levels, by harmonic balance.
@@ -310,7 +356,9 @@ TEST(TwoJointsFromModalLevels, AreFoundFromDampingRatios) {
   test.levels.dissipation_std.clear();
   const CalibrationResult found = test.calibrated();
   ASSERT_TRUE(found.summary.converged()) << found.summary.reason;
-  EXPECT_TRUE(found.warnings.empty()) << found.warnings.front().text;
+  // Where the structure has nine tenths of ζ its noise is 5 % of the loss of the joints: that is
+  // all there is to name.
+  for (const Warning& warning : found.warnings) EXPECT_EQ(warning.code, "loss_uncertain");
   for (std::size_t joint = 0; joint < 2; ++joint) {
     EXPECT_LT(test.amplitude_error(found, joint), 0.005) << joint;
     // As from losses: of ζ the structure has up to nine tenths, but at low levels alone.

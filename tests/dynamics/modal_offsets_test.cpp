@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "support/chain_structure.hpp"
@@ -49,6 +50,40 @@ TEST(ModalOffsets, ArriveAtTheStructureWithItsJoints) {
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     EXPECT_NEAR((more.offset[i] - all.offset[i]) / 1e-5, all.by_told[i][1], 1e-3) << i;
   }
+}
+
+// Springs across the joints in the modes that are off as these are scale the stiffness of all that
+// is not a joint: with joints that are scaled, too, each frequency is off by just that.
+TEST(ModalOffsets, ScaleAStructureWithItsSprings) {
+  constexpr double kOff = 0.01;
+  const std::vector<double> modes(3, kOff);
+  const std::vector<double> springs(2, kOff);
+  const JointedStructure before = testing::chain_structure(
+      {3.0, 2.0, 2.5}, {5e5, 4e5, 7e5, 2e5},
+      {{"lap", 0, 1, Joint(6e5, {})}, {"other", 1, 2, Joint(9e5, {})}}, 0.004, {6e5, 9e5});
+  std::vector<StructuralJoint> stiffer(before.joints().begin(), before.joints().end());
+  for (StructuralJoint& joint : stiffer) {
+    joint.joint = Joint(std::exp(2.0 * kOff) * joint.joint.stiffness(), {});
+  }
+  const JointedStructure after = with_modal_offsets(before.with_joints(stiffer), modes, springs);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    EXPECT_NEAR(std::log(after.stuck_frequencies()[m] / before.stuck_frequencies()[m]), kOff, 1e-12)
+        << m;
+  }
+  // What each share of a vibration counts: a finite difference, with joints as they are.
+  const StructureOffset stuck{.mode = 1, .joint_stiffness = {6e5, 9e5}};
+  const VibrationShares shares = vibration_shares(before, stuck);
+  constexpr double kStep = 1e-5;
+  const auto slope = [&](std::span<const double> some, std::span<const double> moved) {
+    return std::log(secant_frequency(with_modal_offsets(before, some, moved), stuck) /
+                    secant_frequency(before, stuck)) /
+           kStep;
+  };
+  const std::vector<double> none(3, 0.0);
+  EXPECT_NEAR(slope(std::vector<double>{kStep, 0.0, 0.0}, {}), shares.modes[0], 1e-4);
+  EXPECT_NEAR(slope(none, std::vector<double>{0.0, kStep}), -shares.springs[1], 1e-4);
+  EXPECT_NEAR(slope(std::vector<double>(3, kStep), std::vector<double>(2, kStep)),
+              shares.without_joints(), 1e-4);
 }
 
 }  // namespace

@@ -44,7 +44,9 @@ namespace microslip {
 ///   * `known_only_together`   two joints contribute alike to all levels;
 ///   * `joint_not_seen`        the levels hardly determine a joint, or its loss is not
 ///                             distinguishable from 0 in any of them;
+///   * `loss_uncertain`        the band of the loss of a joint is wide where it has a share of all;
 ///   * `frequency_offset`      the modes of the structure deviate by more than joints explain;
+///   * `offsets_differ`        the modes without joints deviate by different shares;
 ///   * `frequency_unexplained` frequencies scatter about those of the identified joints by more
 ///                             than their accuracy;
 ///   * `scatter_large`         losses scatter about the fit more than a usable measurement, or than

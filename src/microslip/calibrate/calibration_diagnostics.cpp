@@ -23,11 +23,17 @@ constexpr double kLeastReduction = 0.5;
 /// A loss less than so many of its standard deviations above 0 at all levels may as well be none:
 /// the estimate of a zero loss is 2 of them, as it cannot be negative.
 constexpr double kLeastLossRatio = 3.0;
+/// A band of this half width, over the loss, is wide; it counts where the joint has this share of
+/// the loss of all.
+constexpr double kWideBand = 0.1;
+constexpr double kShareThatCounts = 0.1;
 /// Offsets of the frequencies beyond this are more than a model and a test usually differ by.
 constexpr double kLargeOffset = 0.01;
+/// An offset over its standard deviation that is not noise.
+constexpr double kLargeOffsetRatio = 3.0;
 /// Scatter of losses: relative, and over the given deviations.
 constexpr double kLargeScatter = 0.15;
-constexpr double kLargeScatterRatio = 3.0;
+constexpr double kLargeScatterRatio = 2.0;
 /// Losses without deviations scatter by this at least, relative.
 constexpr double kLeastScatter = 1e-3;
 /// Median of |N(0, 1)|.
@@ -125,6 +131,42 @@ void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warni
   }
 }
 
+/// Half the width of a band, over the loss.
+double half_width(const Estimate& loss) { return 0.5 * (loss.upper - loss.lower) / loss.value; }
+
+/// A loss in a wide band may be as far off as that, where the joint takes part in the loss of all.
+void warn_of_wide_bands(const CalibrationResult& result, const LevelNames& names,
+                        std::vector<Warning>& warnings) {
+  for (std::size_t j = 0; j < result.joints.size(); ++j) {
+    const CalibratedJoint& joint = result.joints[j];
+    if (known_only_together(result, j)) continue;  // has a warning of its own
+    std::size_t wide = 0;
+    std::size_t counted = 0;
+    std::size_t where = 0;
+    double most = kWideBand;
+    for (std::size_t i = 0; i < result.levels.size(); ++i) {
+      const CalibratedLevel& level = result.levels[i];
+      const Estimate& loss = level.joints[joint.index].dissipation;
+      if (!level.found || !(loss.value > kShareThatCounts * level.dissipation)) continue;
+      ++counted;
+      const double half = half_width(loss);
+      if (!(half > kWideBand)) continue;
+      ++wide;
+      if (half <= most) continue;
+      most = half;
+      where = i;
+    }
+    if (wide == 0) continue;
+    warnings.push_back(
+        {"loss_uncertain",
+         fmt::format("the loss of {} is known to ± {} or worse at {} of the {} levels where it has "
+                     "a tenth of the loss of all: ± {} at {}. Measure more levels, a mode that "
+                     "exercises it more than the others, or its displacement.",
+                     joint.name, percent_text(kWideBand), wide, counted, percent_text(most),
+                     names.of(where))});
+  }
+}
+
 void warn_of_offsets(const CalibrationResult& result, std::vector<Warning>& warnings) {
   for (std::size_t m = 0; m < result.frequency_offset.size(); ++m) {
     const double offset = result.frequency_offset[m];
@@ -136,6 +178,35 @@ void warn_of_offsets(const CalibrationResult& result, std::vector<Warning>& warn
                      "joints, or how much of it is in the modes (spring_in_modes).",
                      m + 1, 100.0 * offset)});
   }
+}
+
+/// Modes that a wrong modulus puts off are off alike. Where they are not, by more than they are
+/// known to, mass or stiffness is wrong in places, and shapes are, which no offset corrects.
+void warn_of_unlike_offsets(const CalibrationResult& result, std::vector<Warning>& warnings) {
+  if (result.modes.springs.empty()) return;  // as given
+  std::vector<std::size_t> measured;
+  double mean = 0.0;
+  for (std::size_t m = 0; m < result.frequency_offset.size(); ++m) {
+    if (std::isnan(result.frequency_offset[m])) continue;
+    measured.push_back(m);
+    mean += result.modes.offset[m];
+  }
+  mean /= static_cast<double>(measured.size());
+  std::string list;
+  bool differ = false;
+  for (const std::size_t m : measured) {
+    const double least =
+        std::max(kLargeFrequencyScatter, kLargeOffsetRatio * result.modes.deviation[m]);
+    differ = differ || std::abs(result.modes.offset[m] - mean) > least;
+    list += fmt::format("{}mode {} {:+.2g} %", list.empty() ? "" : ", ", m + 1,
+                        100.0 * result.modes.offset[m]);
+  }
+  if (!differ) return;
+  warnings.push_back(
+      {"offsets_differ",
+       fmt::format("the modes without joints are off the model by different shares ({}): so are "
+                   "its shapes then, by amounts that the bands do not contain. Correct the model.",
+                   list)});
 }
 
 /// "level 3 has 10 times the fitted loss".
@@ -295,7 +366,9 @@ std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels
   warn_of_pairs(result, warnings);
   warn_of_groups(result, warnings);
   warn_of_unseen(result, warnings);
+  warn_of_wide_bands(result, named, warnings);
   warn_of_offsets(result, warnings);
+  warn_of_unlike_offsets(result, warnings);
   warn_of_frequencies(result, warnings);
   warn_of_scatter(result, named, warnings);
   warn_of_outliers(result, named, warnings);

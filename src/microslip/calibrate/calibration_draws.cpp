@@ -40,7 +40,7 @@ AllUnknowns common_unknowns(const std::vector<WeighedState>& states) {
                          .of(j)
                          .by_knots(all_edges(states, j)));
   }
-  return {std::move(which), std::move(joints)};
+  return {std::move(which), std::move(joints), first.modes()};
 }
 
 Eigen::VectorXd in_terms_of(const AllUnknowns& common, const AllUnknowns& own,
@@ -50,6 +50,7 @@ Eigen::VectorXd in_terms_of(const AllUnknowns& common, const AllUnknowns& own,
     found.segment(common.begin(j), common.of(j).size()) =
         common.of(j).projected(own.of(j), own.part(j, x));
   }
+  found.tail(common.mode_count()) = x.tail(common.mode_count());
   return found;
 }
 

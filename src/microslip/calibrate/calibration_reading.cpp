@@ -57,6 +57,8 @@ class Spread {
     ++count_;
   }
 
+  [[nodiscard]] Eigen::Index size() const { return sum_.size(); }
+
   [[nodiscard]] Eigen::VectorXd variance() const {
     const auto n = static_cast<double>(count_);
     return (square_ / n - (sum_ / n).cwiseAbs2()).cwiseMax(0.0);
@@ -175,7 +177,8 @@ std::vector<std::vector<double>> losses_of_draws(const CalibrationEvidence& evid
   std::vector<std::vector<double>> losses(draws.unknowns.count());
   if (states.at(level)) {
     const std::vector<LinearLoss> about = losses_about(evidence, draws.unknowns, states, level);
-    const Eigen::VectorXd mean = draws.mean();
+    Eigen::VectorXd mean = draws.mean();
+    mean.tail(draws.unknowns.mode_count()) = offset_coefficients(draws.unknowns.modes(), states);
     for (std::size_t j = 0; j < losses.size(); ++j) {
       // The joint is the mean of the draws; linear damping beside it is added to its band later.
       const std::size_t index = draws.unknowns.index(j);
@@ -389,10 +392,31 @@ double error_of_given(const ModalLevels& levels, std::size_t level, const LevelS
   return (1.0 + error) * std::exp(states.offset_taken(levels.mode[level])) - 1.0;
 }
 
+/// The offsets of the modes of the draws.
+FoundModes modes_of_draws(const CalibrationDraws& draws, std::size_t modes) {
+  Spread spread(draws.unknowns.mode_count());
+  for (const Eigen::VectorXd& x : draws.posterior) {
+    const std::vector<double> offsets = draws.unknowns.offsets(x);
+    spread.add(Eigen::Map<const Eigen::VectorXd>(offsets.data(), spread.size()));
+  }
+  const std::vector<double> mean = draws.unknowns.offsets(draws.mean());
+  const auto end = mean.begin() + static_cast<std::ptrdiff_t>(modes);
+  FoundModes found{.offset = {mean.begin(), end}, .springs = {end, mean.end()}};
+  const Eigen::VectorXd variance = spread.variance();
+  for (std::size_t i = 0; i < modes; ++i) {
+    found.deviation.push_back(std::sqrt(variance(static_cast<Eigen::Index>(i))));
+  }
+  return found;
+}
+
 /// The modes that explain the offsets; nothing where no structure has them.
-void read_found_modes(const CalibrationEvidence& evidence, const LevelStates& states,
-                      CalibrationResult& result) {
+void read_found_modes(const CalibrationEvidence& evidence, const CalibrationDraws& draws,
+                      const LevelStates& states, CalibrationResult& result) {
   if (evidence.frequency != FrequencyUse::kChange) return;
+  if (draws.unknowns.mode_count() > 0) {
+    result.modes = modes_of_draws(draws, states.structure().linear().size());
+    return;
+  }
   try {
     result.modes = found_modes(states.given(), level_offsets(evidence.levels, states));
   } catch (const InputError&) {
@@ -539,6 +563,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
       draw_all(range.with_others(state), range.least_scatter(), options.draws, options.seed);
   const std::vector<Joint> joints = range.joints(draws.unknowns, draws.mean());
   states.set_joints(joints);
+  if (draws.unknowns.mode_count() > 0) states.correct(draws.unknowns.offsets(draws.mean()));
   std::vector<std::size_t> all(evidence.levels.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::vector<std::size_t> left_out;  // of the fit: their results now are not reliable
@@ -579,7 +604,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   read_loss_told(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
-  read_found_modes(evidence, states, result);
+  read_found_modes(evidence, draws, states, result);
   read_deviations(evidence, draws.unknowns, states, losses, result);
 }
 

@@ -93,6 +93,8 @@ inline constexpr double kFrequencyResolution = 1e-4;
 struct FoundModes {
   std::vector<double> offset = {};     ///< of ln ω_i, 1
   std::vector<double> deviation = {};  ///< standard deviation of it, 1
+  /// Of half of ln k_s of the spring that the modes have across each joint, 1; empty: none.
+  std::vector<double> springs = {};
 
   /// Whether any offset is above kFrequencyResolution.
   [[nodiscard]] bool any() const;

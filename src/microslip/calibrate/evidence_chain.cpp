@@ -27,7 +27,7 @@ ChainRows chain_rows(const LinearEvidence& evidence, RowKind kind, double least)
           .shift = {},
           .count = rows.count(),
           .least_scale = least,
-          .scale_known = kind == RowKind::kStiffness};
+          .scale_known = kind == RowKind::kMode || kind == RowKind::kStiffness};
 }
 
 Eigen::MatrixXd settled_penalty(const LinearEvidence& evidence, const SettledEvidence& settled) {

@@ -62,6 +62,13 @@ constexpr std::size_t kPlacesOfEdges = 8;
 constexpr double kLeastLossScatter = 1e-3;
 /// Factor from the largest amplitude of a joint at the levels found to one far beyond them.
 constexpr double kFarBeyond = 3.0;
+/// Times that the mean of the offsets is estimated again, which no step changes.
+constexpr int kMostCorrections = 10;
+/// Modes are off where their offsets are so many times what a resonance is known to, rms.
+constexpr double kOffAtLeast = 2.0;
+/// A level without a resonance is not explained: its rows count as off by so many times the
+/// scatter.
+constexpr double kOffWhereLost = 3.0;
 /// The lowest amplitude that a basis is made for, over the largest.
 constexpr double kLeastRange = 1e-4;
 
@@ -72,6 +79,8 @@ Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
     found.segment(now.begin(j), now.of(j).size()) =
         now.of(j).projected(before.of(j), before.part(j, x));
   }
+  found.tail(now.mode_count()) =
+      now.modes().coefficients(before.mode_count() > 0 ? before.offsets(x) : now.modes().start);
   return found;
 }
 
@@ -144,7 +153,7 @@ GrowingRange::GrowingRange(CalibrationEvidence evidence, const std::vector<std::
       // Given deviations are not reduced: few levels leave no residual, and an error common to
       // neighbouring ones does not show in it.
       least_{evidence_.loss_std_given ? 1.0 : kLeastLossScatter,
-             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0, 1.0},
+             evidence_.frequency_std_given ? 1.0 : kLeastFrequencyScatter, 1.0, 1.0, 1.0},
       all_(evidence_.levels.size()),
       exponents_(sought.size(), 0.0),
       edges_(sought.size()) {
@@ -214,7 +223,7 @@ AllUnknowns GrowingRange::unknowns(const Variant& variant) const {
       joints.back() = joints.back().without(empty);
     }
   }
-  return {sought_, std::move(joints)};
+  return {sought_, std::move(joints), modes_};
 }
 
 std::vector<Joint> GrowingRange::joints(const AllUnknowns& unknowns,
@@ -227,10 +236,18 @@ std::vector<Joint> GrowingRange::joints(const AllUnknowns& unknowns,
   return joints;
 }
 
+/// The structure with the offsets of its modes, or with the nearest that one has.
+void GrowingRange::take_offsets(const AllUnknowns& unknowns, Eigen::VectorXd& x) {
+  if (unknowns.mode_count() == 0) return;
+  states_.correct(unknowns.offsets(x));
+  x.tail(unknowns.mode_count()) = offset_coefficients(unknowns.modes(), states_);
+}
+
 /// The levels about given joints; not settled yet.
 CalibratedState GrowingRange::linear_about(const std::vector<std::size_t>& which,
                                            AllUnknowns unknowns, Eigen::VectorXd x) {
   states_.set_joints(joints(unknowns, x));
+  take_offsets(unknowns, x);
   states_.solve(which);
   LinearisedLevels linear = linearise(evidence_, unknowns, states_, which, x);
   LinearEvidence evidence = in_terms_of(evidence_, unknowns, linear);
@@ -287,6 +304,7 @@ CalibratedState GrowingRange::pass(const std::vector<std::size_t>& which,
     for (std::size_t j = 0; j < first.count(); ++j) {
       x.segment(first.begin(j), first.of(j).size()) = first.of(j).stuck();
     }
+    x.tail(first.mode_count()) = first.modes().coefficients(first.modes().start);
     return linear_about(which, std::move(first), std::move(x));
   }();
   const NormalEquations equations(state.evidence);
@@ -318,7 +336,7 @@ std::vector<double> GrowingRange::amplitude_shares() const {
   return shares;
 }
 
-CalibratedState GrowingRange::grow() {
+CalibratedState GrowingRange::grow(std::optional<ModesOff> off) {
   std::vector<double> sorted = amplitude_shares();
   std::ranges::sort(sorted);
   const std::size_t begin = std::min(
@@ -334,6 +352,7 @@ CalibratedState GrowingRange::grow() {
     const int passes = state ? kRangePasses : kFirstPasses;
     for (int i = 0; i < passes; ++i) state = pass(which, state ? &*state : nullptr, exponents_);
     if (share >= 1.0) return std::move(*state);
+    if (off && modes_.count() == 0) correct_modes(*off);
     share = std::min(1.0, kGrowth * share);
   }
 }
@@ -406,17 +425,28 @@ void GrowingRange::judge_limit(const CalibratedState& state, double change,
   summary_.stop = within ? Stop::kConverged : Stop::kLimit;
 }
 
+/// A level that is lost while the joints hardly change any more is found again and lost again: what
+/// it shows there is of another vibration.
+void GrowingRange::leave_out_lost(const std::vector<LevelVibration>& before,
+                                  std::vector<std::size_t>& which) const {
+  std::erase_if(which, [&](std::size_t level) {
+    return before[level].angular_frequency > 0.0 && !states_.at(level);
+  });
+}
+
 CalibratedState GrowingRange::converge(CalibratedState state) {
   summary_.method = "levels of several joints";
   keep_weights_ = false;
   StepShare share(kShareOfSteps);
   double over_deviations = 0.0;
+  std::vector<std::size_t> which = all_;
   for (int i = 0; i < kMostPasses; ++i) {
     const std::vector<LevelVibration> before = vibrations();
     keep_weights_ = i >= kPassesOfWeights;
     share_ = keep_weights_ ? share.share() : 1.0;
-    state = pass(all_, &state, exponents_);
+    state = pass(which, &state, exponents_);
     const double change = largest_change(before, vibrations());
+    if (keep_weights_) leave_out_lost(before, which);
     summary_.residual = change;
     summary_.iterations = i + 1;
     if (change > kSmallestChange * std::min(1.0, share_ / kShareOfSteps)) {
@@ -469,14 +499,7 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
     evidence_.fit_stiffness = false;
     evidence_.frequency = FrequencyUse::kChange;
   }
-  deviations_believed_ = true;
-  CalibratedState state = grow();
-  require_levels(state);
-  require_losses(state);
-  state = steadied(std::move(state));
-  if (!fit_stiffness && correct_modes()) state = steadied(relinearised(state));
-  deviations_believed_ = false;
-  state = choose_exponents(state);
+  CalibratedState state = found_with_likelier_modes();
   if (!fit_stiffness) {
     state = converge(with_edges(std::move(state)));
     require_levels(state);
@@ -493,29 +516,104 @@ CalibratedState GrowingRange::find(const std::function<void()>& tick) {
   return state;
 }
 
-/// Softening is relative to the frequencies of the structure: where these are off by more than
-/// they are known to, losses and frequencies of the levels are of no joints together.
-/// @return whether they were corrected.
-bool GrowingRange::correct_modes() {
-  if (!options_.correct_modes || evidence_.stuck_shapes) return false;
-  if (evidence_.frequency != FrequencyUse::kChange) return false;
-  const std::vector<LevelOffset> levels = level_offsets(evidence_.levels, states_);
-  try {
-    const FoundModes modes = found_modes(states_.given(), levels);
-    if (!modes.any()) return false;
-    const std::size_t count = states_.structure().linear().vibrations();
-    std::vector<double> taken(count, 0.0);
-    std::vector<double> of_mode(count, 0.0);
-    for (const LevelOffset& level : levels) {
-      taken[level.mode] += level.offset;
-      of_mode[level.mode] += 1.0;
-    }
-    for (std::size_t m = 0; m < count; ++m) taken[m] /= std::max(1.0, of_mode[m]);
-    states_.correct(modes.offset, std::move(taken));
-    return true;
-  } catch (const InputError&) {  // no structure has them: that given is the best there is
-    return false;
+CalibratedState GrowingRange::found_with_modes(std::optional<ModesOff> off) {
+  deviations_believed_ = true;
+  CalibratedState state = grow(off);
+  require_levels(state);
+  require_losses(state);
+  state = steadied(std::move(state));
+  for (int i = 0; i < kMostCorrections && off; ++i) {
+    const double before = modes_.mean;
+    correct_modes(*off);
+    state = steadied(relinearised(state));
+    if (std::abs(modes_.mean - before) < kFrequencyResolution) break;
   }
+  deviations_believed_ = false;
+  return choose_exponents(state);
+}
+
+/// −2 ln of the likelihood, with that of the offsets in their units.
+double GrowingRange::likelihood_with_modes(const CalibratedState& state) {
+  double sum = state.settled.likelihood;
+  for (const double unit : state.unknowns.modes().unit) {
+    sum += unit > 0.0 ? 2.0 * std::log(unit) : 0.0;
+  }
+  return sum;
+}
+
+/// What further rows, of levels that another state alone has found, would add to −2 ln of the
+/// likelihood if each were off by kOffWhereLost times the scatter of this one.
+double GrowingRange::likelihood_of_missing(const CalibratedState& state,
+                                           const CalibratedState& other) {
+  double sum = 0.0;
+  for (const RowKind kind : kMeasuredKinds) {
+    const auto more = static_cast<double>(other.evidence.of(kind).data.size() -
+                                          state.evidence.of(kind).data.size());
+    const double each = kOffWhereLost * kOffWhereLost;
+    sum += std::max(0.0, more) * (each + 2.0 * std::log(state.settled.weights.of(kind)));
+  }
+  return sum;
+}
+
+bool GrowingRange::likelier(const CalibratedState& one, const CalibratedState& other) {
+  return likelihood_with_modes(one) + likelihood_of_missing(one, other) <
+         likelihood_with_modes(other) + likelihood_of_missing(other, one);
+}
+
+GrowingRange::Solution GrowingRange::solution(CalibratedState state) const {
+  return {std::move(state), exponents_, modes_, states_.vibrations()};
+}
+
+CalibratedState GrowingRange::returned_to(Solution solution) {
+  exponents_ = std::move(solution.exponents);
+  modes_ = std::move(solution.modes);
+  if (modes_.count() == 0) states_.correct(std::vector<double>(states_.unknown_offsets(), 0.0));
+  states_.set_vibrations(solution.vibrations);
+  return relinearised(solution.state);
+}
+
+CalibratedState GrowingRange::found_anew(ModesOff off) {
+  exponents_.assign(sought_.size(), 0.0);
+  modes_ = {};
+  states_.begin_anew();
+  return found_with_modes(off);
+}
+
+// What joints soften below the least levels and an offset of the modes look alike by the changes of
+// the frequencies: modes are as given where that explains the levels as well.
+CalibratedState GrowingRange::found_with_likelier_modes() {
+  CalibratedState given = found_with_modes(std::nullopt);
+  if (!modes_may_be_off()) return given;
+  Solution best = solution(given);
+  correct_modes(ModesOff::kWithSpringsAsGiven);
+  const bool off = std::ranges::any_of(modes_.start, [](double each) {
+    return std::abs(each) > kOffAtLeast * kFrequencyResolution;
+  });
+  if (!off) {
+    modes_ = {};
+    return given;
+  }
+  modes_ = modes_.as_given();
+  CalibratedState to_compare = relinearised(given);
+  for (const ModesOff how : {ModesOff::kWithSpringsAsGiven, ModesOff::kAllAlike}) {
+    CalibratedState found = found_anew(how);
+    if (!likelier(found, to_compare)) continue;
+    to_compare = found;
+    best = solution(std::move(found));
+  }
+  return returned_to(std::move(best));
+}
+
+/// Softening is relative to the frequencies of the structure, and the displacements of the joints
+/// to its shapes: where they are off, losses and frequencies of the levels are of no joints
+/// together. Offsets of the modes are then unknowns, too, as far off as the levels show.
+void GrowingRange::correct_modes(ModesOff off) {
+  modes_ = mode_unknowns(states_.given(), level_offsets(evidence_.levels, states_), off);
+}
+
+bool GrowingRange::modes_may_be_off() const {
+  return options_.correct_modes && !options_.fit_stiffness && !evidence_.stuck_shapes &&
+         evidence_.frequency == FrequencyUse::kChange;
 }
 
 bool GrowingRange::edges_sought() const {
@@ -629,7 +727,7 @@ void GrowingRange::weigh_edges(const CalibratedState& found) {
 CalibratedState GrowingRange::beside(const CalibratedState& found, const Variant& variant) {
   AllUnknowns now = unknowns(variant);
   Eigen::VectorXd x = projected(now, found.unknowns, found.settled.x);
-  CalibratedState state = linear_about(all_, std::move(now), std::move(x));
+  CalibratedState state = linear_about(found.levels, std::move(now), std::move(x));
   state.settled = settle(NormalEquations(state.evidence), found.settled.weights, bounds());
   if (tick_) tick_();
   return state;
@@ -694,13 +792,15 @@ std::vector<WeighedState> GrowingRange::with_others(const CalibratedState& found
   for (auto& [variant, state] : states) {
     if (state.weight > 0) drawn.push_back(std::move(state));
   }
-  (void)linear_about(all_, found.unknowns, found.about);  // others have moved the levels
+  (void)linear_about(found.levels, found.unknowns, found.about);  // others have moved the levels
   return drawn;
 }
 
 /// The same joints in the terms of other evidence.
 CalibratedState GrowingRange::relinearised(const CalibratedState& state) {
-  CalibratedState anew = linear_about(all_, state.unknowns, state.settled.x);
+  AllUnknowns now = unknowns(found_with(exponents_));
+  Eigen::VectorXd x = projected(now, state.unknowns, state.settled.x);
+  CalibratedState anew = linear_about(all_, std::move(now), std::move(x));
   anew.settled = settle_from_afar(NormalEquations(anew.evidence), bounds());
   return anew;
 }

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "microslip/calibrate/calibration_options.hpp"
 #include "microslip/calibrate/linearisation.hpp"
+#include "microslip/calibrate/mode_offsets.hpp"
 #include "microslip/calibrate/vibration_change.hpp"
 
 /// @file
@@ -104,8 +106,29 @@ class GrowingRange {
   [[nodiscard]] Variant found_with(const std::vector<double>& exponents) const;
   [[nodiscard]] AllUnknowns unknowns(const Variant& variant) const;
   [[nodiscard]] std::vector<double> amplitude_shares() const;
-  [[nodiscard]] CalibratedState grow();
-  [[nodiscard]] bool correct_modes();
+  /// What was found, and what to return to it takes.
+  struct Solution {
+    CalibratedState state;
+    std::vector<double> exponents;
+    ModeUnknowns modes;
+    LevelStates::Vibrations vibrations;
+  };
+  [[nodiscard]] Solution solution(CalibratedState state) const;
+  [[nodiscard]] CalibratedState returned_to(Solution solution);
+  [[nodiscard]] bool modes_may_be_off() const;
+  /// @param off  how the modes without joints are off; nothing: they are as given.
+  [[nodiscard]] CalibratedState grow(std::optional<ModesOff> off);
+  [[nodiscard]] CalibratedState found_with_modes(std::optional<ModesOff> off);
+  [[nodiscard]] CalibratedState found_anew(ModesOff off);
+  [[nodiscard]] CalibratedState found_with_likelier_modes();
+  [[nodiscard]] static bool likelier(const CalibratedState& one, const CalibratedState& other);
+  [[nodiscard]] static double likelihood_with_modes(const CalibratedState& state);
+  [[nodiscard]] static double likelihood_of_missing(const CalibratedState& state,
+                                                    const CalibratedState& other);
+  void leave_out_lost(const std::vector<LevelVibration>& before,
+                      std::vector<std::size_t>& which) const;
+  void correct_modes(ModesOff off);
+  void take_offsets(const AllUnknowns& unknowns, Eigen::VectorXd& x);
   [[nodiscard]] CalibratedState tried(const CalibratedState& start,
                                       const std::vector<double>& exponents);
   void take_if_likelier(const CalibratedState& start, const std::vector<double>& exponents,
@@ -143,6 +166,7 @@ class GrowingRange {
   std::vector<double> given_stiffness_;
   std::vector<double> exponents_;
   std::vector<FoundEdges> edges_;
+  ModeUnknowns modes_;
   bool keep_weights_ = false;
   double share_ = 1.0;  // of a step with kept weights
   bool deviations_believed_ = false;

@@ -33,6 +33,7 @@ struct FirstHarmonic {
   Eigen::VectorXcd modal;        // q
   Eigen::VectorXcd flexibility;  // 1/(Z − iωξ) of each mode
   Eigen::VectorXcd slope;        // its dZ/dω
+  Eigen::VectorXcd stiffening;   // dZ/d ln ω_i
   Eigen::VectorXcd drive;        // of q over the force amplitude, or over ξ
   Eigen::MatrixXd shapes;        // ψ: modes × joints
   Eigen::VectorXcd u;
@@ -62,12 +63,18 @@ void read_modes(const JointedStructure& structure, const SteadyVibration& vibrat
   first.modal.resize(n);
   first.flexibility.resize(n);
   first.slope.resize(n);
+  first.stiffening.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Mode& mode = modes[static_cast<std::size_t>(i)];
     first.modal(i) = vibration.modal[static_cast<std::size_t>(i)][1];
     first.flexibility(i) =
         1.0 / above_rounding(modal_stiffness(mode, omega, structure.damping()) - fed, mode);
     first.slope(i) = -2.0 * omega - (omega > 0.0 ? fed / omega : 0.0);
+    const double square = mode.angular_frequency * mode.angular_frequency;
+    first.stiffening(i) =
+        structure.damping() == DampingLaw::kViscous
+            ? Complex(2.0 * square, mode.loss_factor * mode.angular_frequency * omega)
+            : 2.0 * square * Complex(1.0, mode.loss_factor);
     if (structure.damping() == DampingLaw::kViscous) {
       first.slope(i) += kI * mode.loss_factor * mode.angular_frequency;
     }
@@ -120,6 +127,7 @@ void read_joints(const JointedStructure& structure, const SteadyVibration& vibra
 struct SeenMotion {
   Eigen::MatrixXcd by_force;
   Eigen::VectorXcd by_frequency;
+  Eigen::MatrixXcd by_mode;
   Eigen::VectorXcd by_drive;
   Eigen::VectorXcd direction;  ///< u/|u|; 0 of a joint that stands still
   Complex response;            ///< the same for the response point, over its displacement, 1/m
@@ -136,6 +144,15 @@ SeenMotion seen_motion(const JointedStructure& structure, std::string_view respo
   motion.by_force = seen * reach;
   motion.by_frequency =
       seen * first.flexibility.cwiseProduct(first.slope.cwiseProduct(first.modal));
+  const Eigen::Index modes = first.modal.size();
+  Eigen::MatrixXcd forces = Eigen::MatrixXcd::Zero(modes, modes + joints);
+  forces.leftCols(modes).diagonal() = first.stiffening.cwiseProduct(first.modal);
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    const double spring = structure.joints()[static_cast<std::size_t>(j)].spring_in_modes;
+    forces.col(modes + j) =
+        -2.0 * spring * first.compliance(j) * first.u(j) * first.shapes.col(j).cast<Complex>();
+  }
+  motion.by_mode = seen * first.flexibility.asDiagonal() * forces;
   motion.by_drive = seen * first.drive;
   motion.direction = Eigen::VectorXcd::Zero(joints);
   for (Eigen::Index j = 0; j < joints; ++j) {
@@ -170,11 +187,12 @@ Eigen::MatrixXd system_of(const FirstHarmonic& first, const SeenMotion& motion) 
   return system;
 }
 
-/// Minus the terms of Re δκ, Im δκ of each joint and, last, of the displacement of the response
-/// point.
+/// Minus the terms of Re δκ, Im δκ of each joint, of the displacement of the response point, of
+/// ln ω_i of each mode and of half of ln k_s,j of each joint.
 Eigen::MatrixXd right_hand_sides(const FirstHarmonic& first, const SeenMotion& motion) {
   const Eigen::Index joints = first.u.size();
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 1);
+  const Eigen::Index modes = motion.by_mode.cols();
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(2 * joints + 2, 2 * joints + 1 + modes);
   for (Eigen::Index l = 0; l < joints; ++l) {
     for (const Complex unit : {Complex(1.0), kI}) {
       const Complex force = first.u(l) * unit;
@@ -187,6 +205,8 @@ Eigen::MatrixXd right_hand_sides(const FirstHarmonic& first, const SeenMotion& m
   }
   right(joints, 2 * joints) = -motion.response.real();
   right(2 * joints + 1, 2 * joints) = -motion.response.imag();
+  right.topRightCorner(joints + 1, modes) = -motion.by_mode.real();
+  right.bottomRightCorner(joints + 1, modes) = -motion.by_mode.imag();
   return right;
 }
 
@@ -194,7 +214,8 @@ Eigen::MatrixXd right_hand_sides(const FirstHarmonic& first, const SeenMotion& m
 
 // Unknowns: Re δu, Im δu, δω and the change s of the drive. With Y the flexibility of the modes,
 //   (1 + cκ)δu + c u δκ_t = Ψᵀδq,   φᵀδq = (φᵀq/X) δX,
-//   δq = −YΨ{[κ − k_s(1 + cκ)]δu + (1 − k_s c)u δκ_t} − Y Z′ q δω + drive s,
+//   δq = −YΨ{[κ − k_s(1 + cκ)]δu + (1 − k_s c)u δκ_t} − Y (Z′δω + Ż) q + drive s,
+//   Ż = ∂Z_i/∂ln ω_i δln ω_i − Σ_j k_s,j ψ_jψ_jᵀ δln k_s,j,
 //   δκ_t = κ′δa + δκ,   δa = Re(ū δu)/|u|.
 LevelSensitivity level_sensitivity(const JointedStructure& structure, std::string_view response,
                                    const SteadyVibration& vibration, Forcing forcing) {
@@ -218,6 +239,9 @@ LevelSensitivity level_sensitivity(const JointedStructure& structure, std::strin
   };
   found.frequency = as_complex(moved.row(2 * joints));
   found.frequency_by_response = moved(2 * joints, 2 * joints);
+  const Eigen::Index modes = motion.by_mode.cols();
+  found.frequency_by_mode = moved.row(2 * joints).tail(modes);
+  found.amplitude_by_mode.resize(joints, modes);
   found.amplitude.resize(joints, joints);
   found.amplitude_by_response.resize(joints);
   for (Eigen::Index j = 0; j < joints; ++j) {
@@ -225,6 +249,7 @@ LevelSensitivity level_sensitivity(const JointedStructure& structure, std::strin
                                   motion.direction(j).imag() * moved.row(joints + j);
     found.amplitude.row(j) = as_complex(da);
     found.amplitude_by_response(j) = da(2 * joints);
+    found.amplitude_by_mode.row(j) = da.tail(modes);
   }
   return found;
 }

@@ -22,6 +22,9 @@ struct LevelSensitivity {
   Eigen::MatrixXcd amplitude;             ///< the same for a_j, joints × joints
   double frequency_by_response = 0.0;     ///< ∂ω/∂X, X the displacement of the response point
   Eigen::VectorXd amplitude_by_response;  ///< ∂a_j/∂X
+  /// ∂ω/∂ln ω_i of each mode without joints, and 2∂ω/∂ln k_s of the spring of each joint in them.
+  Eigen::RowVectorXd frequency_by_mode;
+  Eigen::MatrixXd amplitude_by_mode;  ///< the same for a_j, joints × (modes, joints)
 };
 
 /// The derivatives, with the change of κ itself with the amplitudes. Higher harmonics are assumed

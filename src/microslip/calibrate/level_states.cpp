@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <span>
 #include <utility>
 
+#include "microslip/base/error.hpp"
 #include "microslip/dynamics/structure/modal_offsets.hpp"
+#include "microslip/joint/secant.hpp"
 
 namespace microslip {
 namespace {
@@ -22,6 +25,10 @@ constexpr double kLeastLikeness = 0.8;
 /// falls; beyond these shares of its frequency lies another place where the phase is the same.
 constexpr double kMostRise = 1.02;
 constexpr double kLeastFall = 0.7;
+/// The least part of a correction that is tried.
+constexpr double kLeastCorrection = 1.0 / 64.0;
+/// A point of a curve of resonances is at a response to this, relative.
+constexpr double kSameResponse = 1e-6;
 
 JointedStructure with_joints(const JointedStructure& structure, const std::vector<Joint>& joints) {
   std::vector<StructuralJoint> placed(structure.joints().begin(), structure.joints().end());
@@ -86,14 +93,69 @@ void LevelStates::set_joints(const std::vector<Joint>& joints) {
 }
 
 JointedStructure LevelStates::given() const {
-  const auto joints = balance_.structure().joints();
-  return given_.with_joints({joints.begin(), joints.end()});
+  std::vector<Joint> joints;
+  for (const StructuralJoint& joint : balance_.structure().joints()) joints.push_back(joint.joint);
+  return with_joints(given_, joints);
 }
 
-void LevelStates::correct(const std::vector<double>& modes, std::vector<double> taken) {
-  balance_ =
-      HarmonicBalance(with_modal_offsets(given(), modes), balance_.response(), balance_.options());
-  taken_ = std::move(taken);
+/// Of each joint, in the levels of a mode that were found; stuck where none was.
+std::vector<double> LevelStates::mean_stiffness(std::size_t mode) const {
+  std::vector<double> sum(balance_.structure().joints().size(), 0.0);
+  double count = 0.0;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (!states_[i] || levels_.mode[i] != mode) continue;
+    count += 1.0;
+    for (std::size_t j = 0; j < sum.size(); ++j) {
+      sum[j] +=
+          secant_stiffness(balance_.structure().joints()[j].joint, states_[i]->joints[j].amplitude);
+    }
+  }
+  for (std::size_t j = 0; j < sum.size(); ++j) {
+    sum[j] = count > 0.0 ? sum[j] / count : balance_.structure().joints()[j].joint.stiffness();
+  }
+  return sum;
+}
+
+// With all modes off as the springs are there is always one: a stiffness that is scaled.
+void LevelStates::correct(const std::vector<double>& modes) {
+  const JointedStructure before = given();
+  const double springs = before.joints().empty() ? 0.0 : modes.back();
+  for (double share = 1.0;; share = share > kLeastCorrection ? 0.5 * share : 0.0) {
+    std::vector<double> part(modes.size());
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+      part[i] = springs + share * (modes[i] - springs);
+    }
+    try {
+      take(before, std::move(part));
+      return;
+    } catch (const InputError&) {  // no structure has these
+      if (share == 0.0) throw;
+    }
+  }
+}
+
+void LevelStates::begin_anew() {
+  balance_ = HarmonicBalance(given_, balance_.response(), balance_.options());
+  offsets_.clear();
+  taken_.clear();
+  states_.assign(levels_.size(), std::nullopt);
+  tried_.assign(levels_.size(), false);
+  read_stuck();
+}
+
+/// @throws InputError  as JointedStructure.
+void LevelStates::take(const JointedStructure& before, std::vector<double> modes) {
+  const std::span<const double> all(modes);
+  const std::size_t count = before.linear().size();
+  JointedStructure after = with_modal_offsets(before, all.first(count), all.subspan(count));
+  offsets_ = std::move(modes);
+  taken_.assign(stuck_mode_.size(), 0.0);
+  for (std::size_t mode = 0; mode < taken_.size(); ++mode) {
+    if (std::ranges::find(levels_.mode, mode) == levels_.mode.end()) continue;
+    const StructureOffset there{.mode = mode, .joint_stiffness = mean_stiffness(mode)};
+    taken_[mode] = std::log(secant_frequency(after, there) / secant_frequency(before, there));
+  }
+  balance_ = HarmonicBalance(std::move(after), balance_.response(), balance_.options());
   read_stuck();
 }
 
@@ -157,6 +219,29 @@ std::optional<SteadyVibration> LevelStates::find(std::size_t level) const {
   return std::move(found.vibration);
 }
 
+/// Levels of one mode that Newton's method did not find, by the curve of resonances from rest,
+/// which goes round folds and corners.
+void LevelStates::trace(std::size_t mode, const std::vector<std::size_t>& missed) {
+  std::vector<std::size_t> rising;
+  std::ranges::copy_if(missed, std::back_inserter(rising),
+                       [&](std::size_t level) { return levels_.mode[level] == mode; });
+  if (rising.empty() || !shows(mode)) return;
+  std::ranges::sort(rising, {}, [&](std::size_t level) { return levels_.displacement[level]; });
+  std::vector<double> responses;
+  for (const std::size_t level : rising) {
+    const double response = levels_.displacement[level];
+    if (responses.empty() || response > responses.back()) responses.push_back(response);
+  }
+  const ResponseCurve curve = balance_.resonances(responses, mode);
+  for (const std::size_t level : rising) {
+    const double response = levels_.displacement[level];
+    const auto reached = std::ranges::find_if(curve.points, [&](const SteadyVibration& point) {
+      return std::abs(point.response / response - 1.0) < kSameResponse && of_mode(level, point);
+    });
+    if (reached != curve.points.end()) states_[level] = *reached;
+  }
+}
+
 // All levels start from the previous states, so that the order in which they run does not matter.
 void LevelStates::solve(const std::vector<std::size_t>& which) {
   std::vector<std::optional<SteadyVibration>> found(which.size());
@@ -165,6 +250,11 @@ void LevelStates::solve(const std::vector<std::size_t>& which) {
     states_[which[i]] = std::move(found[i]);
     tried_[which[i]] = true;
   }
+  std::vector<std::size_t> missed;
+  std::ranges::copy_if(which, std::back_inserter(missed),
+                       [&](std::size_t level) { return this->missed(level); });
+  if (missed.empty()) return;
+  for (std::size_t mode = 0; mode < stuck_mode_.size(); ++mode) trace(mode, missed);
 }
 
 bool LevelStates::shows(std::size_t mode) const {

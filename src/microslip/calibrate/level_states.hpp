@@ -32,18 +32,24 @@ class LevelStates {
 
   /// Finds the resonance of each of these levels with the present joints, at the measured
   /// displacement. A level that was solved before starts from there, else from the nearest solved
-  /// one of its mode, else from the stuck structure. One that is not found keeps nothing; another
-  /// mode is not taken for it.
+  /// one of its mode, else from the stuck structure; where none leads to it, along the curve of
+  /// resonances from rest. One that is not found keeps nothing; another mode is not taken for it.
   /// @param which  levels.
   void solve(const std::vector<std::size_t>& which);
 
-  /// Takes other frequencies of the modes without joints than those given; vibrations are unchanged
-  /// until solve().
-  /// @param modes  offset of each, of ln ω_i.
-  /// @param taken  by which offset of ln ω levels of each mode are then less off, by mode.
-  /// @throws InputError  as JointedStructure.
-  void correct(const std::vector<double>& modes, std::vector<double> taken);
-  /// The offset of ln ω of levels of a mode that the corrected structure has; 0 without.
+  /// Takes other frequencies of the modes without joints than those given, or, where no structure
+  /// has them, as there may be none without its springs, a part of how they differ from those;
+  /// vibrations are unchanged until solve().
+  /// @param modes  offset of each, of ln ω_i, and of half of ln k_s of each joint.
+  void correct(const std::vector<double>& modes);
+  /// The offsets that were taken; empty without.
+  [[nodiscard]] const std::vector<double>& offsets() const { return offsets_; }
+  /// How many offsets there are to correct.
+  [[nodiscard]] std::size_t unknown_offsets() const {
+    return structure().linear().size() + structure().joints().size();
+  }
+  /// The offset of ln ω of levels of a mode that the corrected structure has, at the mean stiffness
+  /// of the joints in them; 0 without.
   [[nodiscard]] double offset_taken(std::size_t mode) const {
     return taken_.empty() ? 0.0 : taken_[mode];
   }
@@ -72,6 +78,9 @@ class LevelStates {
   [[nodiscard]] const Vibrations& vibrations() const { return states_; }
   void set_vibrations(const Vibrations& vibrations) { states_ = vibrations; }
 
+  /// Forgets vibrations and offsets of the modes; joints stick.
+  void begin_anew();
+
   /// Drops a level that the joints were not identified from.
   void drop(std::size_t level) { states_[level].reset(); }
 
@@ -84,14 +93,18 @@ class LevelStates {
 
  private:
   void read_stuck();
+  [[nodiscard]] std::vector<double> mean_stiffness(std::size_t mode) const;
+  void take(const JointedStructure& before, std::vector<double> modes);
   [[nodiscard]] std::optional<SteadyVibration> find(std::size_t level) const;
+  void trace(std::size_t mode, const std::vector<std::size_t>& missed);
   [[nodiscard]] std::optional<std::size_t> nearest(std::size_t level) const;
   [[nodiscard]] std::optional<std::size_t> below(std::size_t level) const;
   [[nodiscard]] bool of_mode(std::size_t level, const SteadyVibration& vibration) const;
 
   const ModalLevels& levels_;
   JointedStructure given_;
-  std::vector<double> taken_;  // of each mode
+  std::vector<double> offsets_;  // of the modes without joints, and of their springs
+  std::vector<double> taken_;    // of levels of each mode
   Execution execution_;
   HarmonicBalance balance_;
   std::vector<std::vector<double>> stuck_mode_;   // [mode][mode of the structure]

@@ -56,8 +56,7 @@ class Round {
       const Eigen::VectorXd own =
           inverse_.cwiseProduct(equations_.information(kind)).rowwise().sum() / (scatter * scatter);
       for (std::size_t j = 0; j < blocks.size(); ++j) {
-        const Eigen::Index end = j + 1 < blocks.size() ? blocks[j + 1].begin : own.size();
-        freedom[j] += own.segment(blocks[j].begin, end - blocks[j].begin).sum();
+        freedom[j] += own.segment(blocks[j].begin, blocks[j].free_count + 1).sum();
       }
     }
     return freedom;
@@ -141,6 +140,9 @@ Eigen::MatrixXd with_ridge(Eigen::MatrixXd hessian) {
 NormalEquations::NormalEquations(const LinearEvidence& evidence) : evidence_(evidence) {
   for (std::size_t k = 0; k < kRowKinds.size(); ++k) {
     const WeightedRows& rows = evidence.rows[k];
+    information_[k] = Eigen::MatrixXd::Zero(evidence.size(), evidence.size());
+    linear_[k] = Eigen::VectorXd::Zero(evidence.size());
+    if (rows.data.size() == 0) continue;
     information_[k] = rows.design.transpose() * rows.design;
     linear_[k] = rows.design.transpose() * rows.data;
   }
@@ -183,17 +185,20 @@ double NormalEquations::prior_weight() const {
 }
 
 Eigen::MatrixXd NormalEquations::prior_hessian(const EvidenceWeights& weights) const {
-  Eigen::MatrixXd sum = prior_weight() * information(RowKind::kStiffness);
+  Eigen::MatrixXd sum =
+      prior_weight() * information(RowKind::kStiffness) + information(RowKind::kMode);
   add_roughness(weights, sum);
   return with_ridge(std::move(sum));
 }
 
 Eigen::VectorXd NormalEquations::prior_linear() const {
-  return prior_weight() * linear_[static_cast<std::size_t>(RowKind::kStiffness)];
+  return prior_weight() * linear_[static_cast<std::size_t>(RowKind::kStiffness)] +
+         linear_[static_cast<std::size_t>(RowKind::kMode)];
 }
 
 double NormalEquations::residual(RowKind kind, const Eigen::VectorXd& x) const {
   const WeightedRows& rows = evidence_.of(kind);
+  if (rows.data.size() == 0) return 0.0;
   return (rows.design * x - rows.data).squaredNorm();
 }
 

@@ -13,11 +13,11 @@
 
 namespace microslip {
 
-/// Kinds of rows: losses, frequencies, displacements of joints by sensors, k. Those of a kind share
-/// a scatter, which is found, but that of k, which is known.
-enum class RowKind { kLoss, kFrequency, kAmplitude, kStiffness };
+/// Kinds of rows: losses, frequencies, displacements of joints by sensors, offsets of modes, k.
+/// Those of a kind share a scatter, which is found, but those of modes and k, which are known.
+enum class RowKind { kLoss, kFrequency, kAmplitude, kMode, kStiffness };
 inline constexpr std::array kRowKinds = {RowKind::kLoss, RowKind::kFrequency, RowKind::kAmplitude,
-                                         RowKind::kStiffness};
+                                         RowKind::kMode, RowKind::kStiffness};
 /// The kinds that are measured.
 inline constexpr std::array kMeasuredKinds = {RowKind::kLoss, RowKind::kFrequency,
                                               RowKind::kAmplitude};
@@ -65,7 +65,7 @@ struct LinearEvidence {
 /// λ of each joint and τ of each kind of rows.
 struct EvidenceWeights {
   std::vector<double> lambda;
-  std::array<double, kRowKinds.size()> scatter{1.0, 1.0, 1.0, 1.0};
+  std::array<double, kRowKinds.size()> scatter{1.0, 1.0, 1.0, 1.0, 1.0};
 
   [[nodiscard]] double& of(RowKind kind) { return scatter[static_cast<std::size_t>(kind)]; }
   [[nodiscard]] double of(RowKind kind) const { return scatter[static_cast<std::size_t>(kind)]; }
@@ -76,7 +76,8 @@ struct ScatterBounds {
   std::array<double, kRowKinds.size()> least{};
   std::array<double, kRowKinds.size()> most{
       std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-      std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+      std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+      std::numeric_limits<double>::infinity()};
 };
 
 /// The matrix with a ridge at rounding level, so that it has a factor.
@@ -98,7 +99,7 @@ class NormalEquations {
 
   [[nodiscard]] Eigen::MatrixXd hessian(const EvidenceWeights& weights) const;
   [[nodiscard]] Eigen::VectorXd linear(const EvidenceWeights& weights) const;
-  /// The prior: without the levels, and with k as given.
+  /// The prior: without the levels, with k as given and the modes as far off as levels tell.
   [[nodiscard]] Eigen::MatrixXd prior_hessian(const EvidenceWeights& weights) const;
   [[nodiscard]] Eigen::VectorXd prior_linear() const;
 

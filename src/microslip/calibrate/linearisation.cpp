@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "microslip/calibrate/mode_offsets.hpp"
 #include "microslip/joint/dissipation.hpp"
 
 namespace microslip {
@@ -55,11 +56,14 @@ class AnswersOfLevel {
 
   /// The derivative of the amplitude of one joint of the structure.
   [[nodiscard]] Eigen::RowVectorXd amplitude(std::size_t joint) const {
-    return answer(sensitivity_.amplitude.row(static_cast<Eigen::Index>(joint)));
+    const auto at = static_cast<Eigen::Index>(joint);
+    return answer(sensitivity_.amplitude.row(at), sensitivity_.amplitude_by_mode.row(at));
   }
 
   /// ω: its derivative.
-  [[nodiscard]] Eigen::RowVectorXd frequency() const { return answer(sensitivity_.frequency); }
+  [[nodiscard]] Eigen::RowVectorXd frequency() const {
+    return answer(sensitivity_.frequency, sensitivity_.frequency_by_mode);
+  }
 
   /// Effect of one standard deviation of the displacement of the response point on measured minus
   /// fitted ω.
@@ -88,9 +92,7 @@ class AnswersOfLevel {
   [[nodiscard]] const SteadyVibration& vibration() const { return vibration_; }
 
  private:
-  [[nodiscard]] Eigen::Index size() const {
-    return static_cast<Eigen::Index>(2 * unknowns_.count());
-  }
+  [[nodiscard]] Eigen::Index size() const { return unknowns_.answers(); }
 
   [[nodiscard]] double displacement_deviation() const {
     const double given = ModalLevels::value(evidence_.levels.displacement_std, level_);
@@ -113,9 +115,11 @@ class AnswersOfLevel {
   }
 
   /// The row of a quantity with the derivative `by_kappa` with respect to κ of each joint of the
-  /// structure.
-  [[nodiscard]] Eigen::RowVectorXd answer(const Eigen::RowVectorXcd& by_kappa) const {
+  /// structure, and `by_mode` with respect to ln ω of each mode.
+  [[nodiscard]] Eigen::RowVectorXd answer(const Eigen::RowVectorXcd& by_kappa,
+                                          const Eigen::RowVectorXd& by_mode) const {
     Eigen::RowVectorXd row(size());
+    row.tail(unknowns_.mode_count()) = by_mode.head(unknowns_.mode_count());
     for (std::size_t j = 0; j < unknowns_.count(); ++j) {
       const std::complex<double> by = by_kappa(static_cast<Eigen::Index>(unknowns_.index(j)));
       const auto at = static_cast<Eigen::Index>(2 * j);
@@ -153,6 +157,11 @@ class JointRows {
       const auto at = static_cast<Eigen::Index>(2 * j);
       row.segment(unknowns_.begin(j), unknowns_.of(j).size()) =
           by(at) * dissipation_[j] + by(at + 1) * secant_[j];
+    }
+    const ModeUnknowns& modes = unknowns_.modes();
+    for (Eigen::Index i = 0; i < unknowns_.mode_count(); ++i) {
+      row(unknowns_.modes_begin() + i) = by(static_cast<Eigen::Index>(2 * unknowns_.count()) + i) *
+                                         modes.unit[static_cast<std::size_t>(i)];
     }
     return row;
   }
@@ -195,8 +204,7 @@ void add_losses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns
                 std::vector<LevelRow>& rows) {
   double sum = 0.0;
   double variance = 0.0;
-  LevelRow together{.by =
-                        Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(2 * unknowns.count()))};
+  LevelRow together{.by = Eigen::RowVectorXd::Zero(unknowns.answers())};
   for (std::size_t j = 0; j < states.structure().joints().size(); ++j) {
     double value = 0.0;
     LevelRow row{.by = answers.loss(j, value)};
@@ -325,8 +333,15 @@ WeightedRows weighed(const std::vector<LevelRow>& rows, Eigen::Index columns,
 }
 
 /// Subtracts the common offset of all levels of a mode in a session from their frequencies, which
-/// no joint has to explain.
-void centre_modes(const ModalLevels& levels, const std::vector<LevelRow>& raw, WeightedRows& rows) {
+/// no joint has to explain. Where levels tell the offsets of the modes it is a row of its own, to
+/// kFrequencyResolution: changes are known better than what is common to them.
+void centre_modes(const CalibrationEvidence& evidence, const ModeUnknowns& modes,
+                  const std::vector<LevelRow>& raw, WeightedRows& rows) {
+  const ModalLevels& levels = evidence.levels;
+  const double resolution =
+      kFrequencyResolution / (evidence.frequency_std_given ? 1.0 : kLeastFrequencyScatter);
+  std::vector<Eigen::RowVectorXd> common;
+  std::vector<double> common_data;
   std::vector<bool> centred(raw.size(), false);
   for (std::size_t first = 0; first < raw.size(); ++first) {
     if (centred[first]) continue;
@@ -342,19 +357,39 @@ void centre_modes(const ModalLevels& levels, const std::vector<LevelRow>& raw, W
       offset(i) =
           1.0 / raw[static_cast<std::size_t>(of_mode[static_cast<std::size_t>(i)])].deviation;
     }
+    const double size = offset.norm() * resolution;
     offset.normalize();
     const Eigen::MatrixXd design = rows.design(of_mode, Eigen::all);
     const Eigen::VectorXd data = rows.data(of_mode);
     rows.design(of_mode, Eigen::all) = design - offset * (offset.transpose() * design);
     rows.data(of_mode) = data - offset * offset.dot(data);
     rows.freedom_taken += 1.0;
+    const std::size_t level = raw[first].level;
+    if (modes.told.empty() || !modes.told[levels.mode[level]]) continue;
+    if (!of_first_session(levels, level)) continue;
+    common.emplace_back(offset.transpose() * design / size);
+    common_data.push_back(offset.dot(data) / size);
+  }
+  const Eigen::Index before = rows.data.size();
+  const auto more = static_cast<Eigen::Index>(common.size());
+  rows.design.conservativeResize(before + more, Eigen::NoChange);
+  rows.data.conservativeResize(before + more);
+  for (Eigen::Index i = 0; i < more; ++i) {
+    rows.design.row(before + i) = common[static_cast<std::size_t>(i)];
+    rows.data(before + i) = common_data[static_cast<std::size_t>(i)];
   }
 }
 
-void add_stiffnesses(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
-                     LinearEvidence& linear) {
+/// k of each joint, and the offsets of the modes.
+void add_priors(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
+                LinearEvidence& linear) {
   const double deviation = evidence.fit_stiffness ? kSoughtStiffness : kKnownStiffness;
   const auto count = static_cast<Eigen::Index>(unknowns.count());
+  WeightedRows& offsets = linear.of(RowKind::kMode);
+  const Eigen::Index modes = unknowns.mode_count();
+  offsets.design = Eigen::MatrixXd::Zero(modes, unknowns.size());
+  offsets.design.rightCols(modes).setIdentity();
+  offsets.data = Eigen::VectorXd::Constant(modes, ModeUnknowns::kInside);
   WeightedRows& rows = linear.of(RowKind::kStiffness);
   rows.design = Eigen::MatrixXd::Zero(count, unknowns.size());
   rows.data = Eigen::VectorXd::Constant(count, 1.0 / deviation);
@@ -367,8 +402,9 @@ void add_stiffnesses(const CalibrationEvidence& evidence, const AllUnknowns& unk
 
 }  // namespace
 
-AllUnknowns::AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknowns> joints)
-    : which_(std::move(which)), joints_(std::move(joints)) {
+AllUnknowns::AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknowns> joints,
+                         ModeUnknowns modes)
+    : which_(std::move(which)), joints_(std::move(joints)), modes_(std::move(modes)) {
   begin_.push_back(0);
   for (const JointUnknowns& joint : joints_) begin_.push_back(begin_.back() + joint.size());
 }
@@ -376,7 +412,7 @@ AllUnknowns::AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknow
 AllUnknowns AllUnknowns::with(std::size_t j, JointUnknowns joint) const {
   std::vector<JointUnknowns> joints = joints_;
   joints[j] = std::move(joint);
-  return {which_, std::move(joints)};
+  return {which_, std::move(joints), modes_};
 }
 
 double CalibrationEvidence::measured_amplitude(std::size_t level, std::size_t joint) const {
@@ -522,9 +558,9 @@ LinearEvidence in_terms_of(const CalibrationEvidence& evidence, const AllUnknown
   WeightedRows& frequencies = linear.of(RowKind::kFrequency);
   frequencies = weighed(levels.frequencies, unknowns.size(), of_level);
   if (evidence.frequency == FrequencyUse::kChange) {
-    centre_modes(evidence.levels, levels.frequencies, frequencies);
+    centre_modes(evidence, unknowns.modes(), levels.frequencies, frequencies);
   }
-  add_stiffnesses(evidence, unknowns, linear);
+  add_priors(evidence, unknowns, linear);
   for (std::size_t j = 0; j < unknowns.count(); ++j) {
     linear.roughness.push_back({unknowns.begin(j), unknowns.of(j).size() - 1,
                                 unknowns.of(j).penalty(), unknowns.of(j).ranges()});

@@ -10,6 +10,7 @@
 #include "microslip/calibrate/level_sensitivity.hpp"
 #include "microslip/calibrate/level_states.hpp"
 #include "microslip/calibrate/linear_evidence.hpp"
+#include "microslip/calibrate/mode_unknowns.hpp"
 #include "microslip/observe/modal_levels.hpp"
 
 /// @file
@@ -21,18 +22,33 @@ namespace microslip {
 /// follow a resonance no further.
 inline constexpr double kLeastFrequencyScatter = 1e-5;
 
-/// The unknowns of all joints that are sought, one after the other.
+/// The unknowns of all joints that are sought, one after the other, and last those of the modes.
 class AllUnknowns {
  public:
   /// @param which   their indices among the joints of the structure.
   /// @param joints  the unknowns of each.
-  AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknowns> joints);
+  /// @param modes   the offsets of the modes; none where these are exact.
+  AllUnknowns(std::vector<std::size_t> which, std::vector<JointUnknowns> joints,
+              ModeUnknowns modes = {});
 
   [[nodiscard]] std::size_t count() const { return joints_.size(); }
   [[nodiscard]] const JointUnknowns& of(std::size_t j) const { return joints_[j]; }
   [[nodiscard]] std::size_t index(std::size_t j) const { return which_[j]; }  ///< in the structure
   [[nodiscard]] Eigen::Index begin(std::size_t j) const { return begin_[j]; }
-  [[nodiscard]] Eigen::Index size() const { return begin_.back(); }
+  [[nodiscard]] Eigen::Index size() const { return begin_.back() + mode_count(); }
+  [[nodiscard]] const ModeUnknowns& modes() const { return modes_; }
+  [[nodiscard]] Eigen::Index modes_begin() const { return begin_.back(); }
+  [[nodiscard]] Eigen::Index mode_count() const {
+    return static_cast<Eigen::Index>(modes_.count());
+  }
+  /// How many derivatives a row of a level has: by D_j and k_eq,j of each joint, and by each mode.
+  [[nodiscard]] Eigen::Index answers() const {
+    return static_cast<Eigen::Index>(2 * count()) + mode_count();
+  }
+  /// Offsets of the modes.
+  [[nodiscard]] std::vector<double> offsets(const Eigen::VectorXd& x) const {
+    return modes_.offsets(x.tail(mode_count()));
+  }
 
   /// The unknowns with those of one joint replaced.
   [[nodiscard]] AllUnknowns with(std::size_t j, JointUnknowns joint) const;
@@ -45,6 +61,7 @@ class AllUnknowns {
  private:
   std::vector<std::size_t> which_;
   std::vector<JointUnknowns> joints_;
+  ModeUnknowns modes_;
   std::vector<Eigen::Index> begin_;
 };
 
@@ -125,9 +142,9 @@ struct LevelDeviations {
                                                const LevelStates& states, std::size_t level);
 
 /// A row of a level before weighting, linear in the loss D_j and the stiffness k_eq,j of the joints
-/// sought at their amplitudes there.
+/// sought at their amplitudes there, and in the offsets of the modes.
 struct LevelRow {
-  Eigen::RowVectorXd by;   ///< derivatives by D_1, k_eq,1, D_2, k_eq,2 …
+  Eigen::RowVectorXd by;   ///< derivatives by D_1, k_eq,1, D_2, k_eq,2 …, ε_1, ε_2 …
   double data = 0.0;       ///< measured value
   double size = 0.0;       ///< measured loss, J
   double deviation = 1.0;  ///< standard deviation

@@ -56,23 +56,51 @@ std::vector<ToldMode> told_modes(const JointedStructure& structure,
 }
 
 /// Of the modes that tell none: the mean of the others, and its standard deviation.
-std::pair<double, double> offset_of_others(const std::vector<ToldMode>& told) {
+std::pair<double, double> offset_of_others(const std::vector<double>& told) {
   const auto n = static_cast<double>(told.size());
   double mean = 0.0;
-  for (const ToldMode& one : told) mean += one.mean.offset / n;
+  for (const double one : told) mean += one / n;
   double squares = 0.0;
-  for (const ToldMode& one : told) squares += std::pow(one.mean.offset - mean, 2);
+  for (const double one : told) squares += std::pow(one - mean, 2);
   if (told.size() < kFewestOfScatter) return {mean, std::sqrt(mean * mean + squares / n)};
   return {mean, std::sqrt(squares / (n - 1.0) * (1.0 + 1.0 / n))};
 }
 
-/// Whether a level is of the session of the first level of its mode: other sessions are off that.
+}  // namespace
+
 bool of_first_session(const ModalLevels& levels, std::size_t level) {
   const auto first = std::ranges::find(levels.mode, levels.mode[level]) - levels.mode.begin();
   return levels.same_offset(static_cast<std::size_t>(first), level);
 }
 
-}  // namespace
+ModeUnknowns mode_unknowns(const JointedStructure& structure,
+                           const std::vector<LevelOffset>& levels, ModesOff off) {
+  const bool alike = off == ModesOff::kAllAlike;
+  std::vector<StructureOffset> measured;
+  std::vector<double> offsets;
+  const std::size_t modes = structure.linear().size();
+  ModeUnknowns unknowns{.told = std::vector<bool>(modes, false)};
+  for (const ToldMode& one : told_modes(structure, levels)) {
+    const VibrationShares shares = vibration_shares(structure, one.mean);
+    if (shares.without_joints() < kLeastOfModes) continue;
+    unknowns.told[one.mean.mode] = true;
+    measured.push_back(one.mean);
+    offsets.push_back(one.mean.offset / (alike ? shares.without_joints() : shares.of_modes()));
+  }
+  if (measured.empty()) return {};
+  const auto [mean, deviation] = offset_of_others(offsets);
+  const std::vector<double> springs(structure.joints().size(), alike ? mean : 0.0);
+  unknowns.mean = mean;
+  unknowns.unit.assign(modes, std::max(deviation, kFrequencyResolution));
+  unknowns.unit.resize(modes + springs.size(), 0.0);
+  unknowns.start.assign(modes, mean);
+  try {
+    unknowns.start = modal_offsets(structure, measured, mean, springs).offset;
+  } catch (const InputError&) {  // no structure has them: one that is off alike is near
+  }
+  unknowns.start.insert(unknowns.start.end(), springs.begin(), springs.end());
+  return unknowns;
+}
 
 bool FoundModes::any() const {
   return std::ranges::any_of(offset,
@@ -96,12 +124,22 @@ std::vector<LevelOffset> level_offsets(const ModalLevels& levels, const LevelSta
   return all;
 }
 
+Eigen::VectorXd offset_coefficients(const ModeUnknowns& modes, const LevelStates& states) {
+  std::vector<double> present = states.offsets();
+  present.resize(modes.count(), 0.0);
+  return modes.coefficients(present);
+}
+
 FoundModes found_modes(const JointedStructure& structure, const std::vector<LevelOffset>& levels) {
   const std::vector<ToldMode> told = told_modes(structure, levels);
   if (told.empty()) return {};
   std::vector<StructureOffset> measured;
-  for (const ToldMode& one : told) measured.push_back(one.mean);
-  const auto [others, others_std] = offset_of_others(told);
+  std::vector<double> means;
+  for (const ToldMode& one : told) {
+    measured.push_back(one.mean);
+    means.push_back(one.mean.offset);
+  }
+  const auto [others, others_std] = offset_of_others(means);
   const ModalOffsets offsets = modal_offsets(structure, measured, others);
   FoundModes all{.offset = offsets.offset};
   for (std::size_t i = 0; i < offsets.offset.size(); ++i) {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "microslip/algebra/eigenvalues.hpp"
 #include "microslip/algebra/qr.hpp"
@@ -64,8 +66,30 @@ double share_of_modes(const JointedStructure& structure, const StructureOffset& 
   return answer_of(structure, secant_mode(structure, measured)).sum();
 }
 
+double VibrationShares::of_modes() const {
+  return std::accumulate(modes.begin(), modes.end(), 0.0);
+}
+
+double VibrationShares::without_joints() const {
+  return of_modes() - std::accumulate(springs.begin(), springs.end(), 0.0);
+}
+
+VibrationShares vibration_shares(const JointedStructure& structure,
+                                 const StructureOffset& measured) {
+  const SecantMode mode = secant_mode(structure, measured);
+  const Eigen::RowVectorXd row = answer_of(structure, mode);
+  VibrationShares shares{.modes = {row.begin(), row.end()}};
+  for (const StructuralJoint& joint : structure.joints()) {
+    const Eigen::Map<const Eigen::VectorXd> shape(joint.shape.data(), mode.shape.size());
+    const double moved = shape.dot(mode.shape);
+    shares.springs.push_back(joint.spring_in_modes * moved * moved / mode.square);
+  }
+  return shares;
+}
+
 ModalOffsets modal_offsets(const JointedStructure& structure,
-                           std::span<const StructureOffset> measured, double others) {
+                           std::span<const StructureOffset> measured, double others,
+                           std::span<const double> springs) {
   constexpr int kMostSteps = 20;
   constexpr double kSmall = 1e-10;  // of a logarithm: far below what a frequency is read to
   const auto modes = static_cast<Eigen::Index>(structure.linear().size());
@@ -75,13 +99,14 @@ ModalOffsets modal_offsets(const JointedStructure& structure,
     squares(m) = secant_mode(structure, measured[static_cast<std::size_t>(m)]).square;
   }
   Eigen::VectorXd offset = Eigen::VectorXd::Constant(modes, others);
-  offset.tail(static_cast<Eigen::Index>(structure.linear().static_modes())).setZero();
+  const auto static_modes = static_cast<Eigen::Index>(structure.linear().static_modes());
+  if (springs.empty()) offset.tail(static_modes).setZero();
   Eigen::MatrixXd by_told = Eigen::MatrixXd::Zero(modes, count);
   Eigen::VectorXd left = Eigen::VectorXd::Ones(modes);
   double missed = count > 0 ? 1.0 : 0.0;
   for (int step = 0; step < kMostSteps && missed > kSmall; ++step) {
     const JointedStructure moved =
-        with_modal_offsets(structure, {offset.data(), static_cast<std::size_t>(modes)});
+        with_modal_offsets(structure, {offset.data(), static_cast<std::size_t>(modes)}, springs);
     Eigen::MatrixXd answers(count, modes);
     Eigen::VectorXd off(count);
     for (Eigen::Index m = 0; m < count; ++m) {
@@ -100,7 +125,7 @@ ModalOffsets modal_offsets(const JointedStructure& structure,
                      "must be such that modes without joints can produce them",
                      "Check the stiffnesses of the joints and the frequencies of the model.");
   }
-  left.tail(static_cast<Eigen::Index>(structure.linear().static_modes())).setZero();
+  left.tail(static_modes).setConstant(springs.empty() ? 0.0 : 1.0);
   ModalOffsets found{.offset = {offset.begin(), offset.end()}};
   for (Eigen::Index i = 0; i < modes; ++i) {
     const Eigen::RowVectorXd row = by_told.row(i);
@@ -111,11 +136,16 @@ ModalOffsets modal_offsets(const JointedStructure& structure,
 }
 
 JointedStructure with_modal_offsets(const JointedStructure& structure,
-                                    std::span<const double> offset) {
+                                    std::span<const double> offset,
+                                    std::span<const double> springs) {
   std::vector<Mode> modes(structure.linear().modes().begin(), structure.linear().modes().end());
   for (std::size_t i = 0; i < modes.size(); ++i) modes[i].angular_frequency *= std::exp(offset[i]);
+  std::vector<StructuralJoint> joints(structure.joints().begin(), structure.joints().end());
+  for (std::size_t j = 0; j < springs.size(); ++j) {
+    joints[j].spring_in_modes *= std::exp(2.0 * springs[j]);
+  }
   return {structure.linear().with_modes(std::move(modes)),
-          {structure.joints().begin(), structure.joints().end()},
+          std::move(joints),
           {structure.excitations().begin(), structure.excitations().end()},
           structure.damping(),
           {structure.static_loads().begin(), structure.static_loads().end()}};

@@ -19,7 +19,7 @@ namespace {
 
 JointedStructure corrected(const JointedStructure& structure, const FoundModes& modes) {
   try {
-    return with_modal_offsets(structure, modes.offset);
+    return with_modal_offsets(structure, modes.offset, modes.springs);
   } catch (const InputError&) {
     throw InputError("frequencies of the model", "\"corrected\"",
                      "must leave the structure stable without its joints, whose stiffness these "
