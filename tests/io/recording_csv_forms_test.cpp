@@ -215,6 +215,10 @@ TEST(RecordingCsvForms, NamesBlanksBetweenColumns) {
   EXPECT_NE(fault("time [s]   force [N]   disp [mm]\n0.000  0.000  0.0000\n")
                 .find("expected columns separated by commas, semicolons or tabs, found blanks"),
             std::string::npos);
+  // What the remedy makes of decimal commas between blanks, which commas cannot separate.
+  EXPECT_NE(fault("time[s] force[N]\n0,0 1,5\n0,5 2,5\n").find("blanks between columns by ';'"),
+            std::string::npos);
+  EXPECT_EQ(fault("time[s];force[N]\n0,0;1,5\n0,5;2,5\n"), "no error");
 }
 
 // Dry friction knows no time; for others it must be there.
@@ -250,9 +254,74 @@ TEST(RecordingCsvForms, BlanksMaySeparateColumns) {
   EXPECT_EQ(fault("time[s] force[N]\n0 1\n1 2\n2 3 4\n"),
             "r.csv:4:1: expected 2 cells as in the header, found 3. The separator of this table is "
             "' '.");
-  EXPECT_EQ(fault("time[s] force[N]\n0 1\n1 2\n2 1,5\n"),
-            "r.csv:4:3: expected a finite number in column 2 'force [N]', found '1,5'. This table "
-            "has decimal points elsewhere: write all numbers one way.");
+  EXPECT_EQ(
+      fault("time[s] force[N]\n0 1\n1 2\n2 1,5\n"),
+      "r.csv:4:3: expected a finite number in column 2 'force [N]', found '1,5'. Decimal commas "
+      "need ';' or tabs between the columns.");
+}
+
+// As numpy.savetxt(header=…), R's write.table() and spreadsheets write what stands above rows.
+TEST(RecordingCsvForms, HeadersAboveBlanksMayHaveAnotherForm) {
+  for (const char* header :
+       {"time[s], force[kN], acc[g]", "time[s];force[kN];acc[g];", "time [s]\tforce [kN]\tacc [g]",
+        "time force acc\n[s] [kN] [g]", " time  force  acc\n (s) (kN)  (g)",
+        "time,force,acc\ns,kN,g", "\"time [s]\" \"force [kN]\"  \"acc [g]\"",
+        "\"time\" \"force\" \"acc\"\n\"s\" \"kN\" \"g\"", "time [ s ] force ( kN ) acc [g]"}) {
+    const Recording recording =
+        read_all(std::string(header) + "\n0.0 1 -2\n0.5 3 4\n1.0 5 6\n").recordings.at(0);
+    EXPECT_EQ(recording.axis.step, 0.5) << header;
+    EXPECT_EQ(recording.channel("force").values, (Numbers{1000, 3000, 5000})) << header;
+    EXPECT_EQ(recording.channel("acc").dimension, kAcceleration) << header;
+  }
+  const std::string quoted = "\"time [s]\" \"load cell [N]\"\n0.0 1\n0.5 2\n1.0 3\n";
+  EXPECT_EQ(names_of(read_all(quoted).recordings.at(0)), Names{"load cell"});
+  EXPECT_EQ(read_all("time [s] a [m / s^2]\n0 1\n1 2\n2 4\n").recordings.at(0).channel("a").values,
+            (Numbers{1, 2, 4}));
+}
+
+// A column without a name and a name of two words have as many words as two names: the first column
+// of pandas' to_string() and of R's write.table() has none.
+TEST(RecordingCsvForms, RefusesWordsThatMayBeOneName) {
+  const std::string rows = "0 0.000 1 2\n1 0.001 3 4\n2 0.002 5 6\n";
+  EXPECT_EQ(fault("     Time [s]  Axial Force [N]    x [mm]\n" + rows),
+            "r.csv:1:16: expected a unit behind each name, for blanks separate them, found 'Axial' "
+            "without one before 'Force'. Join words of one name by '_', name each column, and give "
+            "those without unit a [1].");
+  EXPECT_NE(
+      fault("time[s] Top force[N] gap[mm]\n0.0 1 2 7\n0.1 2 3 7\n").find("found 'Top' without"),
+      std::string::npos);
+  // The first column counts the rows, from 0 or from 1.
+  EXPECT_EQ(
+      fault("time [s] load cell\n0 0.000 1\n1 0.001 2\n2 0.002 3\n"),
+      "r.csv:1:1: expected a unit behind each name, for blanks separate them, found column 1 "
+      "'time [s]' over 0, 1, 2 or 1, 2, 3, which may be numbers of rows. Name each column with "
+      "its unit, [1] where it has none, and join words of one name by '_'.");
+  EXPECT_NE(fault("time [s] load cell\n1 0.000 1\n2 0.001 2\n").find("over 0, 1, 2"),
+            std::string::npos);
+  // As the remedies have it; and times of one second that are no numbers of rows.
+  for (const char* text :
+       {"No [1] Time [s] Axial_Force [N] x [mm]\n0 0 1 2\n1 0.1 3 4\n",
+        "time [s] cycle [1] F [N]\n0 1 2\n1 1 3\n", "time [s] force [N]\n0 1\n1 2\n2 3\n",
+        "time force\ns N\n0 1\n1 2\n2 3\n", "time [s] force [N] flag\n0.0 1 0\n0.1 2 0\n",
+        "time [s],load,cell [N]\n0 0.1 1\n1 0.2 2\n"}) {
+    EXPECT_EQ(fault(text), "no error") << text;
+  }
+}
+
+TEST(RecordingCsvForms, NamesAMissingCellBetweenBlanks) {
+  const std::string head = "time[s] force[N] x[mm]\n0.1 1 2\n0.2 3 4\n";
+  EXPECT_EQ(fault(head + "      5 6\n0.4 7 8\n"),
+            "r.csv:4:1: expected 3 cells as in the header, found 2. Blanks separate the columns of "
+            "this table: write nan for a value that is missing.");
+  EXPECT_EQ(codes_of(read_all(head + "0.3 nan 6\n0.4 7 8\n")), Names{"channel_left_out"});
+}
+
+// Commas separate, so that no number has a decimal one.
+TEST(RecordingCsvForms, NamesQuotedDecimalCommas) {
+  EXPECT_EQ(fault("time [s],force [N]\n\"0,000\",\"0,00\"\n\"0,001\",\"1,00\"\n"),
+            "r.csv:2:2: expected a finite number in column 1 'time [s]', found '0,000'. Decimal "
+            "commas need ';' or tabs between the columns.");
+  EXPECT_EQ(fault("time [s];force [N]\n\"0,000\";\"0,00\"\n\"0,001\";\"1,00\"\n"), "no error");
 }
 
 }  // namespace

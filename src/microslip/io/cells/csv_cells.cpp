@@ -30,7 +30,7 @@ std::optional<double> parse_comma_number(std::string_view text) {
   return parse_number(copy);
 }
 
-char find_separator(std::string_view header) {
+char find_separator(std::string_view header, char otherwise) {
   bool in_quotes = false;
   std::string outside;
   for (const char c : header) {
@@ -40,7 +40,14 @@ char find_separator(std::string_view header) {
   for (const char separator : {';', ',', '\t'}) {
     if (outside.find(separator) != std::string::npos) return separator;
   }
-  return ',';
+  return otherwise;
+}
+
+bool continues_cell(std::string_view cell, std::string_view word) {
+  const std::size_t open = cell.find_first_of("[(");
+  const bool has_brackets = open != cell.npos;
+  if (has_brackets && cell.find_first_of("])", open) == cell.npos) return true;
+  return !cell.empty() && open != 0 && word.find_first_of("[(") == 0;
 }
 
 std::string separator_name(char separator) {
@@ -49,11 +56,13 @@ std::string separator_name(char separator) {
 
 FormatError ragged_row(const TextPlace& row, std::size_t columns, std::size_t cells,
                        char separator) {
-  std::string remedy = "Decimal commas need ';' or tabs between the columns.";
+  std::string remedy(kRemedyForDecimalCommas);
   if (columns == 1) {
     remedy =
         "Decimal commas need ';' or tabs between the columns; lines above the header begin with "
         "'#'.";
+  } else if (separator == ' ' && cells < columns) {
+    remedy = "Blanks separate the columns of this table: write nan for a value that is missing.";
   } else if (cells == 1 || separator != ',') {
     remedy = fmt::format("The separator of this table is {}.", separator_name(separator));
   }
@@ -215,7 +224,7 @@ RawCell CellScanner::scan_quoted(const char* open) const {
     throw FormatError(place(open), "a closing quote on the line of the opening one",
                       "the end of the line", "Close the quote or remove it.");
   }
-  const char* next = skip_blanks(p + 1);
+  const char* next = skip_blanks_behind(p + 1);
   if (!at_cell_end(next)) {
     throw FormatError(place(next), "a separator after the closing quote", in_quotes({next, 1}),
                       "Double the quotes that belong to the text.");

@@ -23,8 +23,17 @@ namespace microslip {
 /// The same with a decimal comma.
 [[nodiscard]] std::optional<double> parse_comma_number(std::string_view text);
 
-/// The first of `;` `,` tab that stands in the header outside of quotes; a comma where none does.
-[[nodiscard]] char find_separator(std::string_view header);
+/// The first of `;` `,` tab that stands in the header outside of quotes; `otherwise` where none
+/// does.
+[[nodiscard]] char find_separator(std::string_view header, char otherwise = ',');
+
+/// Whether a word between blanks belongs to the cell before it: a unit in brackets to its name, and
+/// what stands within open brackets. In a line of units each has brackets of its own.
+[[nodiscard]] bool continues_cell(std::string_view cell, std::string_view word);
+
+/// The remedy where commas or blanks separate columns.
+inline constexpr std::string_view kRemedyForDecimalCommas =
+    "Decimal commas need ';' or tabs between the columns.";
 
 /// How messages call a separator: "a tab", "','".
 [[nodiscard]] std::string separator_name(char separator);

@@ -123,6 +123,7 @@ class CsvRecordingReader {
   /// The header is known as a whole.
   void start_rows() {
     header_.resolve(options_, warnings_);
+    if (table_.blanks && table_.counts) header_.check_counted_rows();
     header_resolved_ = true;
     values_.resize(header_.columns().size());
     left_out_.resize(header_.columns().size());
@@ -160,24 +161,24 @@ class CsvRecordingReader {
   }
 
   const char* read_row(const char* p) {
-    const char* row = p;
+    row_ = p;
     const std::size_t columns = values_.size();
     for (std::size_t column = 0;; ++column) {
       const char* next = read_cell(p, column);
       if (scanner_->at_line_end(next)) {
-        if (column + 1 != columns) throw_ragged(row);
+        if (column + 1 != columns) throw_ragged();
         ++rows_;
         return scanner_->skip_line_end(next);
       }
       p = next + 1;
       if (column + 1 == columns) {
         const char* end = scanner_->skip_blanks(p);  // one separator too many may end a line
-        if (!scanner_->at_line_end(end)) throw_ragged(row);
+        if (!scanner_->at_line_end(end)) throw_ragged();
         ++rows_;
         return scanner_->skip_line_end(end);
       }
       if (scanner_->at_line_end(scanner_->skip_blanks(p)) && column + 2 != columns) {
-        throw_ragged(row);
+        throw_ragged();
       }
     }
   }
@@ -258,6 +259,7 @@ class CsvRecordingReader {
     std::vector<double>& axis = values_[*header_.axis()];
     const std::string_view text(begin, static_cast<std::size_t>(end - begin));
     if (!axis.empty() && !(value > axis.back())) {
+      if (count_cells() < values_.size()) throw_ragged();  // then it is another column
       throw FormatError(
           scanner_->place(begin),
           fmt::format("a value above that of the row before in {}", header_.label(*header_.axis())),
@@ -270,20 +272,25 @@ class CsvRecordingReader {
 
   // ---- What is wrong with a row. ----
 
-  [[noreturn]] void throw_ragged(const char* row) const {
+  [[nodiscard]] std::size_t count_cells() const {
     std::size_t cells = 1;
-    RawCell cell = scanner_->scan(row);
+    RawCell cell = scanner_->scan(row_);
     while (!scanner_->at_line_end(scanner_->skip_blanks(cell.next))) {
       cell = scanner_->scan(cell.next + 1);
       ++cells;
     }
+    return cells;
+  }
+
+  [[noreturn]] void throw_ragged() const {
+    const std::size_t cells = count_cells();
     if (row_is_cut_ && cells < values_.size()) {
-      throw FormatError(scanner_->place(row),
+      throw FormatError(scanner_->place(row_),
                         fmt::format("{} cells as in the header", values_.size()),
                         fmt::format("{} and the end of the file", cells),
                         "It was truncated; `allow_truncated` leaves out this row.");
     }
-    throw ragged_row(scanner_->place(row), values_.size(), cells, header_.separator());
+    throw ragged_row(scanner_->place(row_), values_.size(), cells, header_.separator());
   }
 
   [[noreturn]] void throw_no_number(const char* p, std::size_t column) const {
@@ -297,7 +304,9 @@ class CsvRecordingReader {
     if (decimal_ == Decimal::kComma && text.find('.') != std::string_view::npos) {
       remedy = "This table has decimal commas elsewhere: write all numbers one way.";
     } else if (decimal_ == Decimal::kPoint && parse_comma_number(text)) {
-      remedy = "This table has decimal points elsewhere: write all numbers one way.";
+      const bool by_points = header_.separator() == ',' || header_.separator() == ' ';
+      remedy = by_points ? kRemedyForDecimalCommas
+                         : "This table has decimal points elsewhere: write all numbers one way.";
     } else if (row_is_cut_) {
       remedy = "If the file was truncated there, `allow_truncated` leaves out this row.";
     }
@@ -445,6 +454,7 @@ class CsvRecordingReader {
   LineBlocks blocks_;
   RecordingCsvHeader header_;
   bool header_resolved_ = false;
+  const char* row_ = nullptr;  ///< where the row begins that is read
   bool row_is_cut_ = false;
   Decimal decimal_ = Decimal::kUnknown;
   std::optional<CellScanner> scanner_;  ///< of the block

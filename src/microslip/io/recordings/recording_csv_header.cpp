@@ -80,7 +80,8 @@ void check_separator(std::string_view text, const TextPlace& place) {
   if (!goes_on && trimmed(text).find("  ") == std::string_view::npos) return;
   throw FormatError(place, "columns separated by commas, semicolons or tabs",
                     fmt::format("blanks between them, {}", in_quotes(text)),
-                    "Replace each run of blanks by one comma, but not those in front of a unit.");
+                    "Replace the blanks between columns by ';', in the header and in the rows, "
+                    "but not those within a name, before or within its unit.");
 }
 
 /// The place of what begins behind `passed`, which begins at `known`.
@@ -123,7 +124,8 @@ void RecordingCsvHeader::add_preamble(std::string_view line) {
 
 std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string_view line,
                                                                      std::size_t number) const {
-  const CellScanner scanner(line, file_, separator_, number);
+  const char separator = separator_ == ' ' ? find_separator(line, ' ') : separator_;
+  const CellScanner scanner(line, file_, separator, number);
   std::vector<Cell> cells;
   const char* known = line.data();
   TextPlace place{.file = file_, .line = number, .column = 1};
@@ -133,11 +135,13 @@ std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string
     known = raw.begin;
     const bool last = scanner.at_line_end(raw.next);
     const bool trailing = last && raw.begin == raw.end && !raw.quoted && !cells.empty();
-    const bool is_unit = separator_ == ' ' && !trailing && (*raw.begin == '[' || *raw.begin == '(');
-    if (is_unit && !cells.empty()) {
-      cells.back().column.name += " " + to_utf8(unescaped(raw));
+    const std::string text = to_utf8(unescaped(raw));
+    const bool joins = separator == ' ' && !trailing && !cells.empty() &&
+                       continues_cell(cells.back().column.name, text);
+    if (joins) {
+      cells.back().column.name += " " + text;
     } else if (!trailing) {
-      cells.push_back({.column = {.name = to_utf8(unescaped(raw)), .unit = {}}, .place = place});
+      cells.push_back({.column = {.name = text, .unit = {}}, .place = place});
     }
     if (last) return cells;
     p = raw.next + 1;
@@ -167,6 +171,29 @@ void RecordingCsvHeader::read_names(std::string_view line, std::size_t number, b
     cells_[i].column = *column;
     if (column->name.empty()) cells_[i].column.name = fmt::format("column {}", i + 1);
   }
+  // Who writes blanks between names that have some quotes them.
+  words_ = separator_ == ' ' && find_separator(line, ' ') == ' ' && line.find('"') == line.npos;
+}
+
+/// A name of two words over one column and a column without a name look as two names do.
+void RecordingCsvHeader::check_words() const {
+  for (std::size_t i = 0; i + 1 < cells_.size(); ++i) {
+    if (cells_[i].column.unit || !cells_[i + 1].column.unit) continue;
+    throw FormatError(
+        cells_[i].place, "a unit behind each name, for blanks separate them",
+        fmt::format("{} without one before {}", in_quotes(cells_[i].column.name),
+                    in_quotes(cells_[i + 1].column.name)),
+        "Join words of one name by '_', name each column, and give those without unit a [1].");
+  }
+}
+
+void RecordingCsvHeader::check_counted_rows() const {
+  const auto has_unit = [](const Cell& cell) { return cell.column.unit.has_value(); };
+  if (!words_ || axis_ != 0 || std::ranges::all_of(cells_, has_unit)) return;
+  throw FormatError(
+      cells_.front().place, "a unit behind each name, for blanks separate them",
+      fmt::format("{} over 0, 1, 2 or 1, 2, 3, which may be numbers of rows", label(0)),
+      "Name each column with its unit, [1] where it has none, and join words of one name by '_'.");
 }
 
 void RecordingCsvHeader::tell_names_apart(std::vector<Warning>& warnings) {
@@ -280,6 +307,7 @@ std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& ass
 
 void RecordingCsvHeader::resolve(const RecordingReadOptions& options,
                                  std::vector<Warning>& warnings) {
+  if (words_) check_words();
   tell_names_apart(warnings);
   for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i));
   axis_ = find_axis(options.assumed_units);

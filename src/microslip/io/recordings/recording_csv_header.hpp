@@ -44,8 +44,10 @@ class RecordingCsvHeader {
   void add_preamble(std::string_view line);
 
   /// The line of names; a column without one is called by its number.
-  /// @param number  of the line. @param blanks  whether these alone separate columns.
-  /// @throws FormatError  where all cells are numbers, or columns are separated by blanks.
+  /// @param number  of the line. @param blanks  whether these alone separate columns of the rows;
+  ///                the names may have another separator.
+  /// @throws FormatError  where all cells are numbers, or columns are separated by blanks and no
+  ///                      rows are so.
   void read_names(std::string_view line, std::size_t number, bool blanks);
 
   /// The first line below it. False where that is no line of units: some names have units already,
@@ -56,10 +58,16 @@ class RecordingCsvHeader {
   /// When both lines have been read, if the second is there. Columns of one name are told apart by
   /// their units, else by their numbers.
   /// @param warnings  on units that are not known, and on names that were changed.
-  /// @throws FormatError  where the unit of the axis is unknown or missing, or there is no axis or
-  ///                      nothing beside it.
+  /// @throws FormatError  where the unit of the axis is unknown or missing, there is no axis or
+  ///                      nothing beside it, or a word between blanks may be a name or the
+  ///                      beginning of the next one.
   /// @param options  where a rate is stated a single column may be a channel, too.
   void resolve(const RecordingReadOptions& options, std::vector<Warning>& warnings);
+
+  /// Where the first cells of rows count these: such a number may have no name, so that words are
+  /// the names of the columns behind.
+  /// @throws FormatError  where the axis is there, words are names, and not all have units.
+  void check_counted_rows() const;
 
   /// Names and units of the columns, as far as they have been read.
   [[nodiscard]] std::vector<CsvColumn> columns_as_written() const;
@@ -83,6 +91,7 @@ class RecordingCsvHeader {
   };
 
   [[nodiscard]] std::vector<Cell> read_cells(std::string_view line, std::size_t number) const;
+  void check_words() const;
   void tell_names_apart(std::vector<Warning>& warnings);
   [[nodiscard]] RecordingColumn resolve_column(std::size_t column) const;
   void warn_of_unknown_units(std::vector<Warning>& warnings) const;
@@ -94,6 +103,7 @@ class RecordingCsvHeader {
 
   std::string file_;
   char separator_ = ',';
+  bool words_ = false;  ///< whether names are words between blanks, without quotes
   std::vector<Cell> cells_;
   std::vector<RecordingColumn> columns_;
   std::optional<std::size_t> axis_;

@@ -31,19 +31,21 @@ bool is_number_cell(std::string_view cell) {
   return parse_number(cell) || parse_comma_number(cell) || capitals == "NAN" || capitals == "INF";
 }
 
-/// The words of a line; a unit in brackets belongs to the word before it.
+/// The cells of a line between blanks; blanks may stand in quotes, within and before brackets.
 std::vector<std::string_view> words_of(std::string_view text) {
   std::vector<std::string_view> words;
   for (std::size_t at = text.find_first_not_of(' '); at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const bool is_unit = text[at] == '[' || text[at] == '(';
-    if (is_unit && !words.empty()) {
+    const bool quoted = text[at] == '"';
+    if (quoted) ++at;
+    const std::size_t end = std::min(text.find(quoted ? '"' : ' ', at), text.size());
+    const std::string_view word = text.substr(at, end - at);
+    if (!words.empty() && continues_cell(words.back(), word)) {
       const char* const begin = words.back().data();
       words.back() = {begin, static_cast<std::size_t>(text.data() + end - begin)};
     } else {
-      words.push_back(text.substr(at, end - at));
+      words.push_back(word);
     }
-    at = text.find_first_not_of(' ', end);
+    at = text.find_first_not_of(' ', end + (quoted ? 1 : 0));
   }
   return words;
 }
@@ -124,12 +126,25 @@ bool is_header(const TableLine& line, std::size_t columns) {
 
 /// The line as one of a table like that of a row.
 TableLine as_in_table_of(const TableLine& row, const TableLine& line) {
-  if (!row.blanks || line.text.find_first_of(",;\t\"") != std::string_view::npos) return line;
+  if (!row.blanks || find_separator(line.text, ' ') != ' ') return line;
   return {.text = line.text,
           .offset = line.offset,
           .cells = words_of(line.text),
           .numbers = line.numbers,
           .blanks = true};
+}
+
+/// Whether the first cells of the rows from `first` on are 0, 1, 2, … or 1, 2, 3, …
+bool counts_rows(const std::vector<TableLine>& lines, std::size_t first) {
+  constexpr std::size_t kEnough = 3;
+  const std::size_t rows = std::min(kEnough, lines.size() - first);
+  const std::string_view start = lines[first].cells.front();
+  if (start != "0" && start != "1") return false;
+  for (std::size_t i = 1; i < rows; ++i) {
+    const std::size_t number = i + (start == "1" ? 1 : 0);
+    if (lines[first + i].cells.front() != std::to_string(number)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -150,8 +165,12 @@ TableStart find_table_start(std::string_view text) {
     };
     if (has_time(lines[0]) && !has_time(units ? above : last))
       break;  // the first line is the header
-    TableStart start{
-        {}, lines[header].offset, lines[header].text, lines[header + 1].text, lines[i].blanks};
+    TableStart start{{},
+                     lines[header].offset,
+                     lines[header].text,
+                     lines[header + 1].text,
+                     lines[i].blanks,
+                     counts_rows(lines, i)};
     for (std::size_t k = 0; k < header; ++k) start.preamble.push_back(lines[k].text);
     return start;
   }

@@ -16,6 +16,7 @@ struct TableStart {
   std::string_view names = {};             ///< the line of the header
   std::string_view below = {};             ///< the next one, which may have the units
   bool blanks = false;                     ///< whether blanks alone separate the columns
+  bool counts = false;                     ///< whether its first cells count the rows
 };
 
 /// @param text  the beginning of the file, whole lines.
