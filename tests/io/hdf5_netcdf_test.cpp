@@ -758,8 +758,12 @@ TEST_F(Hdf5NetCdf, TakesTheFrequencyOfATableBesideTimesThatRise) {
   };
   const Axis frequency{kFrequency, 10.0, 10.0, {}};
   EXPECT_EQ(warnings("group delay [s]", "frequency [Hz]", frequency), "");
-  EXPECT_EQ(warnings("tau [s]", "Frequency [Hz]", frequency), "axis_chosen");
-  EXPECT_EQ(warnings("tau [s]", "Drive freq [Hz]", frequency), "axis_chosen");
+  for (const char* span : {"tau [s]", "T60 [s]", "decay time [s]", "Rise time [s]"}) {
+    EXPECT_EQ(warnings(span, "frequency [Hz]", frequency), "");
+    EXPECT_EQ(warnings(span, "Drive freq [Hz]", frequency), "");
+  }
+  EXPECT_EQ(warnings("settling [s]", "Frequency [Hz]", frequency), "axis_chosen");
+  EXPECT_EQ(warnings("settling [s]", "Drive freq [Hz]", frequency), "axis_chosen");
   const Axis time{kTime, 1.0, 1.0, {}};
   EXPECT_EQ(warnings("elapsed [s]", "frequency [Hz]", time), "");
   EXPECT_EQ(warnings("time [s]", "frequency [Hz]", time), "");

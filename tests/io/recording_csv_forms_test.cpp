@@ -62,6 +62,10 @@ TEST(RecordingCsvForms, TakesTheBestColumnForTheAxis) {
   EXPECT_EQ(axis_of("speed [rpm],f [Hz],H [m/N]"), "frequency over speed H");
   EXPECT_EQ(axis_of("Time [hh:mm:ss],Elapsed [s],force [N]"), "time over Time force");
   EXPECT_EQ(axis_of("Time,Elapsed [min],force [N]"), "time over Time force");
+  for (const std::string span : {"tau [s]", "T60 [s]", "decay time [s]", "Rise time [ms]"}) {
+    const std::string name = " " + span.substr(0, span.find(" ["));
+    EXPECT_EQ(axis_of("frequency [Hz]," + span + ",H [m/N]"), "frequency over" + name + " H");
+  }
   // The only one there is.
   EXPECT_EQ(axis_of("speed [rpm],temp [°C],force [N]"), "frequency over temp force");
   EXPECT_EQ(axis_of("uptime [h],temp [°C],force [N]"), "time over temp force");

@@ -353,8 +353,9 @@ class ForeignReader {
     }
     const FieldOfTable rising = std::ranges::min_element(table.fields, {}, rank_as_times);
     if (rank_as_times(*rising) > AxisRank::kLongTime) {
-      const FieldOfTable frequency = named(kFrequencyNames, kFrequency);
+      FieldOfTable frequency = named(kFrequencyNames, kFrequency);
       const bool is_span = rank_as_times(*rising) == AxisRank::kSpan && !has_rate;
+      if (is_span && frequency == table.fields.end()) frequency = the_frequency(table);
       if (is_span && frequency == table.fields.end()) return {rising, kTime};
       return {frequency, kFrequency};
     }

@@ -14,7 +14,8 @@ namespace {
 
 /// Of spans of time, which are given over something else.
 bool names_a_span(std::string_view name) {
-  constexpr std::array kSpans{"DELAY", "LATENCY", "PERIOD", "DURATION"};
+  constexpr std::array kSpans{"DELAY", "LATENCY", "PERIOD", "DURATION",
+                              "DECAY", "RISE",    "T60",    "TAU"};
   const std::string capitals = in_capitals(name);
   return std::ranges::any_of(
       kSpans, [&](const char* span) { return capitals.find(span) != std::string::npos; });
