@@ -504,6 +504,22 @@ TEST_F(Tdms, WarnsWhereTimesContradictARate) {
   EXPECT_EQ(increment.recordings.at(0).axis.step, 0.2);
 }
 
+// DIAdem gives a channel of times an increment too, of 1 where it knows none.
+TEST_F(Tdms, WarnsWhereTimesContradictIncrementsOfAll) {
+  const auto read_with = [&](double increment) {
+    return read(segment(kAll,
+                        {object("/'Run'/'Time'", index_of(kDouble, 3),
+                                {number("wf_increment", increment), word("unit_string", "s")}),
+                         object(kForcePath, index_of(kI16, 3), waveform(increment, "N"))},
+                        values<double>({1.0, 1.25, 1.5}) + rising(3)));
+  };
+  EXPECT_EQ(codes_of(read_with(0.25)), Codes{});
+  const Recordings contradicted = read_with(1.0);
+  EXPECT_EQ(codes_of(contradicted), Codes{"rate_contradicts"});
+  EXPECT_EQ(contradicted.recordings.at(0).axis.step, 1.0);
+  EXPECT_EQ(contradicted.recordings[0].channels.size(), 2U);
+}
+
 TEST_F(Tdms, KeepsChannelsApartWhoseSamplesAreNotTogether) {
   std::vector<std::string> late = waveform(0.4, "m");
   late.push_back(stamp("wf_start_time", 2));
@@ -542,6 +558,12 @@ TEST_F(Tdms, TakesAnIncrementOf0ForNone) {
                  segment(kMetadata | kRaw, {object(kForcePath, kSame, {zero})}, rising(3)));
   EXPECT_EQ(later.recordings.at(0).axis.step, 0.5) << "stated before";
   EXPECT_EQ(later.recordings[0].size(), 6U);
+  const Recordings first =
+      this->read(segment(kAll, {force({zero})}, rising(3)) +
+                 segment(kMetadata | kRaw,
+                         {object(kForcePath, kSame, {number("wf_increment", 0.5)})}, rising(3)));
+  EXPECT_EQ(first.recordings.at(0).axis, (Axis{kTime, 0.0, 0.5, {}})) << "stated later";
+  EXPECT_EQ(codes_of(first), Codes{});
   const std::string alone = segment(kAll, {force({zero})}, rising(3));
   EXPECT_NE(message(alone).find("found a wf_increment of 0. Write waveforms whose wf_increment is "
                                 "their step, or give `rate`."),

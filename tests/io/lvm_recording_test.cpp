@@ -250,6 +250,80 @@ TEST_F(LvmFiles, TellOfAClockThatJumps) {
   EXPECT_FALSE(jumps("2026/11/29", "10:00:00.7")) << "when the section was written";
 }
 
+// Ten sections of 2 ms; from the given one on the clock is a minute late.
+TEST_F(LvmFiles, TellOfAJumpOnceWhereverItIs) {
+  for (const std::size_t jump : {1, 9}) {
+    std::string text = file_header("One");
+    for (std::size_t i = 0; i < 10; ++i) {
+      const double x = 2e-3 * static_cast<double>(i);
+      text += "Channels\t2\t\t\r\n" +
+              fmt::format("Date\t{0}\t{0}\t\r\nTime\t{1}\t{1}\t\r\n", "2026/11/29",
+                          fmt::format("10:0{}:00.{:03}", i < jump ? 0 : 1, 2 * i)) +
+              kSteps + kSection + kTwo +
+              text_of({fmt::format("{:.6f}\t1\t5", x), fmt::format("{:.6f}\t2\t6", x + 1e-3)}) +
+              "\r\n";
+    }
+    const Recordings read = this->read(text);
+    EXPECT_EQ(read.recordings.at(0).size(), 20U);
+    ASSERT_EQ(read.warnings.size(), 1U) << jump;
+    EXPECT_EQ(read.warnings[0].code, "time_jumps");
+    EXPECT_NE(read.warnings[0].text.find("begins 60.002 s after the one before"), std::string::npos)
+        << read.warnings[0].text;
+  }
+}
+
+// The clock is 6 s late at 60 s, when 12 sections of 5 s are joined: less than all of them took.
+TEST_F(LvmFiles, TellOfAJumpShorterThanWhatIsJoined) {
+  std::string text = file_header("One");
+  for (int i = 0; i < 13; ++i) {
+    const int second = 5 * i + (i < 12 ? 0 : 6);
+    text += "Channels\t2\t\t\r\n" +
+            fmt::format("Date\t{0}\t{0}\t\r\nTime\t{1}\t{1}\t\r\n", "2026/11/29",
+                        fmt::format("10:0{}:{:02}", second / 60, second % 60)) +
+            "Delta_X\t2.500000\t2.500000\t\r\n" + kSection + kTwo +
+            text_of({fmt::format("{:.6f}\t1\t5", 5.0 * i),
+                     fmt::format("{:.6f}\t2\t6", 5.0 * i + 2.5)}) +
+            "\r\n";
+  }
+  const Recordings read = this->read(text);
+  EXPECT_EQ(read.recordings.at(0).size(), 26U);
+  EXPECT_TRUE(has_warning(read, "time_jumps"));
+}
+
+// Each section begins its x anew, so that Date and Time alone say that it goes on.
+TEST_F(LvmFiles, TakeTimesOfSectionsThatBeginAnewForNoJump) {
+  std::string text = file_header("One");
+  for (int i = 0; i < 3; ++i) {
+    text += "Channels\t2\t\t\r\n" +
+            fmt::format("Date\t{0}\t{0}\t\r\nTime\t{1}\t{1}\t\r\n", "2026/11/29",
+                        fmt::format("10:00:{:02}", 6 * i)) +
+            "Delta_X\t3.000000\t3.000000\t\r\n" + kSection + kTwo +
+            text_of({"0.000000\t1\t5", "3.000000\t2\t6"}) + "\r\n";
+  }
+  const Recordings read = this->read(text);
+  EXPECT_EQ(read.recordings.at(0).axis, (Axis{kTime, 0.0, 3.0, {}}));
+  EXPECT_TRUE(read.warnings.empty());
+}
+
+// Three x of four; the steps of x are those of a full column, the others follow.
+TEST_F(LvmFiles, CompareTheirFewerPointsWithTheStep) {
+  const auto read_with = [&](const std::string& step, const std::string& third) {
+    return this->read(file_header("One") + kUnits + "Delta_X\t" + step + "\t" + step + "\t\r\n" +
+                      kSection + kTwo + text_of({kRows[0], kRows[1], third + "\t3\t7", "\t4\t8"}));
+  };
+  const Recordings contradicted = read_with("0.002000", "0.002000");
+  EXPECT_EQ(contradicted.recordings.at(0).axis, (Axis{kTime, 0.0, 1e-3, {}}));
+  EXPECT_TRUE(has_warning(contradicted, "rate_contradicts"));
+  EXPECT_TRUE(has_warning(contradicted, "points_missing"));
+  const Recordings uneven = read_with("0.001000", "0.500000");
+  EXPECT_EQ(uneven.recordings.at(0).axis.values, (Values{0, 1e-3, 0.5, 0.501}));
+  EXPECT_TRUE(has_warning(uneven, "rate_contradicts"));
+  EXPECT_NE(message_of<Error>([&] {
+              read_with("0.001000", "0.000000");
+            }).find("x that do not rise: 0 after 0.001"),
+            std::string::npos);
+}
+
 TEST_F(LvmFiles, MayHaveLessPointsThanValues) {
   const Lines rows{kRows[0], kRows[1], "\t3\t7", "\t4\t8"};
   const Recordings read =
@@ -258,6 +332,12 @@ TEST_F(LvmFiles, MayHaveLessPointsThanValues) {
   EXPECT_EQ(read.recordings[0].axis, (Axis{kTime, 0.0, 1e-3, {}}));
   EXPECT_EQ(read.recordings[0].channel("Force").values, (Values{1, 2, 3, 4}));
   EXPECT_TRUE(has_warning(read, "points_missing"));
+  const Lines one{kRows[1], "\t3\t7", "\t4\t8"};
+  for (const std::string dimension : {"Time", "Frequency"}) {
+    const Recording begun = only(file_header("One") + kUnits + "X_Dimension\t" + dimension + "\t" +
+                                 dimension + "\t\r\n" + kSteps + kSection + kTwo + text_of(one));
+    EXPECT_EQ(begun.axis, (Axis{dimension == "Time" ? kTime : kFrequency, 1e-3, 1e-3, {}}));
+  }
   test::put(path_, file_header("One") + kUnits + kSection + kTwo + text_of(rows));
   const std::string message = message_of<Error>([&] { return read_recordings(path_, {}); });
   EXPECT_NE(message.find("found 2 x for its 4 values"), std::string::npos) << message;

@@ -84,43 +84,50 @@ class LvmReader {
     return step && *step > 0.0 ? step : std::nullopt;
   }
 
+  /// Where a section begins, as it says itself.
+  struct SectionBegin {
+    std::optional<double> time;  ///< s, by Date and Time
+    double x = 0.0;              ///< s
+  };
+
   /// LabVIEW writes a section for each piece of a measurement that goes on.
   void join_sections() {
     std::vector<LvmSection> joined;
+    SectionBegin last;
     for (LvmSection& next : contents_.sections) {
-      if (!joined.empty() && (goes_on(joined.back(), next, 0.0) || goes_on_by_time(joined, next))) {
-        warn_of_jump(joined.back(), next);
+      const SectionBegin begin{begin_of(next), start_of(next)};
+      const bool by_x = !joined.empty() && goes_on(joined.back(), next, 0.0);
+      if (by_x) warn_of_jump(last, begin, next.line);
+      if (by_x || (!joined.empty() && goes_on_by_time(joined.back(), next))) {
         append(joined.back(), next);
       } else {
         joined.push_back(std::move(next));
       }
+      last = begin;
     }
     contents_.sections = std::move(joined);
   }
 
   /// Where x begins anew in each section, Date and Time say that it goes on.
-  [[nodiscard]] bool goes_on_by_time(const std::vector<LvmSection>& joined,
-                                     const LvmSection& next) const {
-    const std::optional<double> before = begin_of(joined.back());
+  [[nodiscard]] bool goes_on_by_time(const LvmSection& joined, const LvmSection& next) const {
+    const std::optional<double> before = begin_of(joined);
     const std::optional<double> then = begin_of(next);
-    return before && then && *then > *before && goes_on(joined.back(), next, *then - *before);
+    return before && then && *then > *before && goes_on(joined, next, *then - *before);
   }
 
   /// Where x go on and Time does neither as they do nor stays as it is.
-  void warn_of_jump(const LvmSection& last, const LvmSection& next) {
+  void warn_of_jump(const SectionBegin& last, const SectionBegin& next, std::size_t line) {
     constexpr double kLateClock = 1.0;  // s, as pieces are written after they were sampled
-    const std::optional<double> before = begin_of(last);
-    const std::optional<double> then = begin_of(next);
-    if (!before || !then) return;
-    const double by = *then - *before;
-    const double x = start_of(next) - start_of(last);
+    if (!last.time || !next.time) return;
+    const double by = *next.time - *last.time;
+    const double x = next.x - last.x;
     if (std::min(std::abs(by), std::abs(by - x)) <= std::max(kLateClock, std::abs(x))) return;
     result_.warnings.push_back(
         {"time_jumps",
          fmt::format("{}:{}: a section begins {:.6g} s {} the one before by Date and Time, and its "
                      "x go on; they are joined. Split the file there where it was not sampled in "
                      "one run",
-                     path_, next.line, std::abs(by), by > 0.0 ? "after" : "before")});
+                     path_, line, std::abs(by), by > 0.0 ? "after" : "before")});
   }
 
   /// Of x, s, by the first channel.
@@ -321,23 +328,21 @@ class LvmReader {
                                 std::optional<double> step) {
     const LvmColumn& x = section.x[from.x];
     const std::size_t size = channel.values.size();
-    if (x.values.size() < size && step && !x.values.empty()) {
-      return axis_of_short_x(x, size, channel, unit, *step);
-    }
+    const std::size_t given = std::min(x.values.size(), size);
     if (falls(x, channel, section)) return std::nullopt;
-    if (x.values.size() < size) {
+    if (given < size && (!step || given == 0)) {
       without_axis_.push_back(
           {place_of(channel), fmt::format("{} x for its {} values", x.values.size(), size)});
       return std::nullopt;
     }
     const std::string_view label = trimmed(section.entry("X_Unit_Label", from));
-    PointsAxis points = axis_of_points(
-        {.points = {x.values.begin(), x.values.begin() + static_cast<std::ptrdiff_t>(size)},
-         .unit = label.empty() && unit.dimension == kTime ? "s" : std::string(label),
-         .usual = unit.dimension,
-         .place = path_,
-         .printed = x.digits},
-        step ? step : common_step(section, from, unit), result_.warnings);
+    PointsAxis points =
+        axis_of_points({.points = points_of(x, given, step.value_or(0.0) / unit.factor()),
+                        .unit = label.empty() && unit.dimension == kTime ? "s" : std::string(label),
+                        .usual = unit.dimension,
+                        .place = path_,
+                        .printed = x.digits},
+                       step ? step : common_step(section, from, unit), result_.warnings);
     auto warning = contradicting_rate(points, step, x.name, place_of(channel));
     if (warning) result_.warnings.push_back(*std::move(warning));
     if (step && !points.axis.even()) {
@@ -347,20 +352,33 @@ class LvmReader {
                        "Take out what is wrong",
                        place_of(channel), in_quotes(x.name), *step)});
     }
+    if (given < size) continue_axis(points.axis, given, *step, x.name, channel);
     return std::move(points.axis);
   }
 
-  /// Where the step is stated, it continues x that end early.
-  Axis axis_of_short_x(const LvmColumn& x, std::size_t size, const Channel& channel,
-                       const Unit& unit, double step) {
+  /// The first ones; where there is one alone a second, a step behind it.
+  static std::vector<double> points_of(const LvmColumn& x, std::size_t count, double step) {
+    std::vector<double> points(x.values.begin(),
+                               x.values.begin() + static_cast<std::ptrdiff_t>(count));
+    if (count == 1) points.push_back(points.front() + step);
+    return points;
+  }
+
+  /// Where x end early, the other points follow: in even steps of x, else in those of Delta_X.
+  void continue_axis(Axis& axis, std::size_t given, double step, std::string_view name,
+                     const Channel& channel) {
+    const std::size_t size = channel.values.size();
+    const bool is_even = axis.even();
     result_.warnings.push_back(
         {"points_missing",
-         fmt::format(
-             "{}: {} has {} values for its {}; all points are by Delta_X, from the first on",
-             place_of(channel), in_quotes(x.name), x.values.size(), size)});
-    Axis axis = even_axis({.step = step, .start = unit.to_si(x.values.front())});
-    axis.dimension = unit.dimension;
-    return axis;
+         fmt::format("{}: {} has {} values for its {}; the others follow in steps of {}",
+                     place_of(channel), in_quotes(name), given, size,
+                     is_even ? fmt::format("{:.6g}", axis.step) : "Delta_X")});
+    if (is_even) return;
+    const double last = axis.values.back();
+    for (std::size_t i = given; i < size; ++i) {
+      axis.values.push_back(last + static_cast<double>(i + 1 - given) * step);
+    }
   }
 
   /// Whether x fall somewhere, which leaves the channel out.

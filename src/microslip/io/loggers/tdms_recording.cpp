@@ -66,6 +66,8 @@ struct GroupAxes {
   const TdmsProperties* outermost;
   std::optional<PointsAxis> points = {};
   std::string name_of_points = {};
+  std::optional<PointsAxis> compared = {};  ///< times of a channel that has an increment as well
+  std::string name_of_compared = {};
   std::optional<TdmsTime> earliest = {};
   bool has_warned = false;  ///< of a rate that contradicts the points
 };
@@ -162,12 +164,14 @@ class TdmsGroups {
     if (!scaled.fault.empty() || !object.other.empty()) {
       warn_left_out(object, scaled.fault.empty() ? object.other : scaled.fault,
                     "let LabVIEW or DIAdem save it as numbers in its unit");
-    } else if (!axes.points && is_points(object, scaled.values)) {
+    } else if (!axes.points && is_points(object, scaled.values) && !has_increment(object)) {
       axes.points = axis_of_points(
           {std::move(scaled.values), unit_of(object.properties), kTime, place_of(object)}, {},
           result_.warnings);
       axes.name_of_points = object.channel;
     } else if (scaled.values.size() > 1) {
+      if (!axes.compared && is_points(object, scaled.values))
+        note_times(object, scaled.values, axes);
       channels.push_back({&object, {}});
       channels.back().channel.values = std::move(scaled.values);
       const TdmsTime* const start = object.properties.time("wf_start_time");
@@ -237,9 +241,21 @@ class TdmsGroups {
 
   static bool is_points(const TdmsObject& object, const std::vector<double>& values) {
     return is_one_of(object.channel, kTimeNames) && values.size() > 1 &&
-           !states_step(object.properties.number("wf_increment")) &&
            may_be_unit_of_points(unit_of(object.properties), kTime) &&
            may_be_points(object.channel, values);
+  }
+
+  static bool has_increment(const TdmsObject& object) {
+    return states_step(object.properties.number("wf_increment"));
+  }
+
+  /// Those in an unknown unit are compared with nothing.
+  void note_times(const TdmsObject& object, const std::vector<double>& values, GroupAxes& axes) {
+    const std::string unit = unit_of(object.properties);
+    if (!unit.empty() && !find_unit_of_points(unit)) return;
+    std::vector<Warning> unused;  // as the values stay a channel
+    axes.compared = axis_of_points({values, unit, kTime, place_of(object)}, {}, unused);
+    axes.name_of_compared = object.channel;
   }
 
   PointsAxis points_of_times(const TdmsObject& object) {
@@ -267,10 +283,9 @@ class TdmsGroups {
   /// Where the increment of a channel contradicts times that the group has as well.
   void warn_beside_points(const LoggedChannel& logged, GroupAxes& axes) {
     constexpr double kSame = 0.01;  // as contradicting_rate()
-    if (axes.has_warned || !axes.points || axes.points->points != logged.channel.values.size()) {
-      return;
-    }
-    const Axis& points = axes.points->axis;
+    const std::optional<PointsAxis>& times = axes.points ? axes.points : axes.compared;
+    if (axes.has_warned || !times || times->points != logged.channel.values.size()) return;
+    const Axis& points = times->axis;
     const Axis& own = *logged.axis;
     const bool agrees = points.even() && std::abs(points.step - own.step) <= kSame * own.step;
     if (points.dimension != own.dimension || agrees) return;
@@ -280,7 +295,8 @@ class TdmsGroups {
          fmt::format(
              "{}: wf_increment gives steps of {:.6g} s, and the times of {} are others; the "
              "increment is used. Take out what is wrong",
-             place_of(*logged.object), own.step, in_quotes(axes.name_of_points))});
+             place_of(*logged.object), own.step,
+             in_quotes(axes.points ? axes.name_of_points : axes.name_of_compared))});
   }
 
   void align(const TdmsGroup& group, std::vector<LoggedChannel>& channels) {

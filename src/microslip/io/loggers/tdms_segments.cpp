@@ -73,9 +73,9 @@ TdmsObject object_of_path(const std::string& path) {
 
 /// Whether values that were read depend on this property.
 bool is_of_values(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kNames{"wf_increment",       "wf_start_offset",
-                                                   "wf_xunit_string",    "unit_string",
-                                                   "NI_UnitDescription", "NI_Scaling_Status"};
+  constexpr std::array<std::string_view, 5> kNames{"wf_start_offset", "wf_xunit_string",
+                                                   "unit_string", "NI_UnitDescription",
+                                                   "NI_Scaling_Status"};
   return std::ranges::find(kNames, name) != kNames.end() || name.starts_with("NI_Scale[") ||
          name == "NI_Number_Of_Scales";
 }
@@ -202,11 +202,8 @@ class TdmsReader {
     const bool changes =
         known != object.properties.all.end() && object.size() > 0 && known->second != value;
     const bool is_start = name == "wf_start_time";
-    if (changes && name == "wf_increment" && !states_step(std::get_if<double>(&value)) &&
-        states_step(object.properties.number(name))) {
-      return;  // 0 states none, so that the former one goes on
-    }
-    if (changes && name == "wf_increment" && keep_former_step(object)) {
+    if (changes && name == "wf_increment") {
+      if (!take_step(object, std::get_if<double>(&value))) return;
       object.properties.all.insert_or_assign(name, std::move(value));
       return;
     }
@@ -221,11 +218,13 @@ class TdmsReader {
     object.properties.all.insert_or_assign(name, std::move(value));
   }
 
-  /// False where there is none that could be one of the values so far.
-  static bool keep_former_step(TdmsObject& object) {
-    const double* const step = object.properties.number("wf_increment");
-    if (!states_step(step)) return false;
-    object.former_steps.emplace_back(object.size(), *step);
+  /// Keeps the former step for the values so far. Whether the next one counts: 0 states none, so
+  /// that a former one goes on, and one behind it is that of all values.
+  static bool take_step(TdmsObject& object, const double* next) {
+    const double* const former = object.properties.number("wf_increment");
+    if (!states_step(former)) return true;
+    if (!states_step(next)) return false;
+    object.former_steps.emplace_back(object.size(), *former);
     return true;
   }
 
