@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/support.hpp"
@@ -58,18 +59,16 @@ class OtherMat {
     Mat_VarWrite(file_, variable, compression_);
     Mat_VarFree(variable);
   }
-  /// An array of structs of a number for each field.
+  using Cell = std::variant<double, std::vector<double>, std::string>;
+  /// An array of structs of a cell for each field.
   void add_rows(const char* name, std::vector<const char*> fields,
-                std::vector<std::vector<double>> rows) {
-    std::array<std::size_t, 2> one{1, 1};
+                std::vector<std::vector<Cell>> rows) {
     std::array<std::size_t, 2> sizes{rows.size(), 1};
     matvar_t* variable = Mat_VarCreateStruct(name, 2, sizes.data(), fields.data(),
                                              static_cast<unsigned>(fields.size()));
     for (std::size_t row = 0; row < rows.size(); ++row) {
       for (std::size_t i = 0; i < fields.size(); ++i) {
-        Mat_VarSetStructFieldByName(
-            variable, fields[i], row,
-            Mat_VarCreate(fields[i], MAT_C_DOUBLE, MAT_T_DOUBLE, 2, one.data(), &rows[row][i], 0));
+        Mat_VarSetStructFieldByName(variable, fields[i], row, variable_of(fields[i], rows[row][i]));
       }
     }
     Mat_VarWrite(file_, variable, compression_);
@@ -80,6 +79,20 @@ class OtherMat {
   }
 
  private:
+  static matvar_t* variable_of(const char* name, Cell& cell) {
+    std::array<std::size_t, 2> sizes{1, 1};
+    if (std::string* const text = std::get_if<std::string>(&cell)) {
+      sizes[1] = text->size();
+      return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UINT8, 2, sizes.data(), text->data(), 0);
+    }
+    if (double* const number = std::get_if<double>(&cell)) {
+      return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes.data(), number, 0);
+    }
+    std::vector<double>& numbers = std::get<std::vector<double>>(cell);
+    sizes = {numbers.empty() ? 0U : 1U, numbers.size()};
+    return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes.data(), numbers.data(), 0);
+  }
+
   void put(const char* name, matio_classes kind, matio_types type, std::size_t rows,
            std::size_t columns, void* data) {
     std::array<std::size_t, 2> sizes{rows, columns};
@@ -244,6 +257,78 @@ TEST_F(MatOther, TakesATableThatIsStoredRowByRow) {
   ASSERT_EQ(read.recordings.size(), 1U) << "modes are no recording";
   EXPECT_EQ(read.recordings[0].axis.step, 0.5);
   EXPECT_EQ(read.recordings[0].channel("force").values, (std::vector{1.0, 3.0, -2.0}));
+}
+
+TEST_F(MatOther, LeavesOutTextOfATableOfRows) {
+  {
+    OtherMat file(path_);
+    file.add_rows("data", {"time", "note", "force"},
+                  {{0.0, "start", 1.0}, {0.5, "ok", 3.0}, {1.0, 7.0, -2.0}});
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  ASSERT_EQ(read.recordings[0].channels.size(), 1U);
+  EXPECT_EQ(read.recordings[0].channel("force").values, (std::vector{1.0, 3.0, -2.0}));
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "channel_left_out");
+  EXPECT_EQ(read.warnings[0].text,
+            path_ + ":data: 'note': left out, its values are no real numbers");
+}
+
+// Events beside a measurement, which is no list of recordings for it.
+TEST_F(MatOther, ReadsNoTableOfRowsBesideARecording) {
+  const auto put_events = [&](bool has_time) {
+    OtherMat file(path_);
+    file.add_rows("events", {"time", "gain"}, {{0.0, 1.0}, {1.0, 2.0}, {2.0, 3.0}});
+    file.add("force", {1.0, -2.0, 0.5, 4.0}, 4);
+    if (has_time) file.add("time", {0.0, 0.5, 1.0, 1.5}, 4);
+  };
+  put_events(true);
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].channels.size(), 1U);
+  EXPECT_TRUE(read.warnings.empty());
+  EXPECT_EQ(read_recordings_mat(path_, "events").recordings.at(0).channels.at(0).name, "gain");
+  put_events(false);
+  EXPECT_NE(message().find("'force': expected a sampling rate"), std::string::npos) << message();
+}
+
+TEST_F(MatOther, NamesTheCellThatKeepsRowsFromBeingATable) {
+  using Row = std::vector<OtherMat::Cell>;
+  const auto found = [&](std::vector<const char*> fields, std::vector<Row> rows) {
+    {
+      OtherMat file(path_);
+      file.add("fs", {1000.0}, 1);
+      file.add_rows("data", std::move(fields), std::move(rows));
+    }
+    std::string text = message();
+    text.erase(0, text.find("found "));
+    return text.substr(0, text.find(". "));
+  };
+  const std::vector<double> two{1.0, 2.0};
+  const std::vector<double> none;
+  EXPECT_EQ(found({"time", "acc"}, {{0.0, two}, {0.1, two}, {0.2, two}}),
+            "found real numbers of 1 × 2 in 'acc' of row 1");
+  EXPECT_EQ(found({"time", "acc"}, {{0.0, 1.0}, {0.1, none}, {0.2, 1.0}}),
+            "found no number in 'acc' of row 2");
+  EXPECT_EQ(found({"time", "acc"}, {{0.0, 1.0}, {0.1, 1.0}, {0.1, 1.0}}),
+            "found 0.1 in 'time' of row 3 after 0.1");
+  EXPECT_EQ(found({"elapsed", "acc"}, {{0.0, 1.0}, {0.1, 1.0}}),
+            "found the fields 'elapsed', 'acc'");
+}
+
+// When each began, and more values than there are recordings.
+TEST_F(MatOther, ReadsRecordingsThatSayWhenTheyBegan) {
+  const std::vector<double> three{1.0, 2.0, 4.0};
+  {
+    OtherMat file(path_);
+    file.add("fs", {4.0}, 1);
+    file.add_rows("runs", {"time", "force"}, {{0.0, three}, {60.0, three}});
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 2U);
+  EXPECT_EQ(read.recordings[1].axis.step, 0.25);
+  EXPECT_EQ(read.recordings[1].channel("force").values, three);
 }
 
 TEST_F(MatOther, LeavesOutAStructWhoseTimesAreNotWhole) {

@@ -11,6 +11,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/mat/mat_path.hpp"
+#include "microslip/io/mat/mat_rows.hpp"
 #include "microslip/io/mat/mat_units.hpp"
 #include "microslip/io/recordings/sampling.hpp"
 
@@ -164,36 +165,6 @@ void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& w
   arrays.erase(arrays.begin() + static_cast<std::ptrdiff_t>(index));
 }
 
-/// The columns of a table over time that is stored row by row, an array of structs of single
-/// numbers, as SciPy writes record arrays; nothing where it is something else.
-std::optional<MatValue> columns_of_rows(const MatValue& value) {
-  const std::size_t rows = value.count();
-  const std::size_t width = value.fields.size();
-  const auto is_time = [](const std::string& name) { return is_one_of(name, kTimeNames); };
-  const auto is_number = [](const MatValue& child) {
-    return child.kind == Kind::kNumbers && child.real.size() == 1 && child.imaginary.empty();
-  };
-  if (rows < 2 || value.children.size() != rows * width ||
-      std::ranges::none_of(value.fields, is_time) ||
-      !std::ranges::all_of(value.children, is_number)) {
-    return std::nullopt;
-  }
-  MatValue table;
-  table.kind = Kind::kStruct;
-  table.sizes = {1, 1};
-  table.fields = value.fields;
-  table.children.resize(width);
-  for (std::size_t field = 0; field < width; ++field) {
-    MatValue& column = table.children[field];
-    column.kind = Kind::kNumbers;
-    column.sizes = {rows, 1};
-    for (std::size_t row = 0; row < rows; ++row) {
-      column.real.push_back(value.children[row * width + field].real.front());
-    }
-  }
-  return table;
-}
-
 class Collector {
  public:
   /// @param place_untimed  whether arrays that nothing places take untimed_step().
@@ -223,10 +194,25 @@ class Collector {
   }
 
   void read_elements(MatValue& value, const Sampling& known, const std::string& inside) {
-    if (auto table = columns_of_rows(value)) return read_struct(*table, 0, known, inside);
+    if (is_table_of_rows(value)) {
+      tables_.push_back({&value, known, inside});
+      return;
+    }
     for (std::size_t i = 0; i < value.count(); ++i) {
       read_struct(value, i, known,
                   value.count() == 1 ? inside : fmt::format("{}({})", inside, i + 1));
+    }
+  }
+
+  /// Where there are no other values: an array of structs beside them lists events, for instance.
+  void read_tables() {
+    if (!result_.recordings.empty() || !without_axis_.empty()) return;
+    for (const TableOfRows& rows : tables_) {
+      try {
+        read_table(rows);
+      } catch (const FormatError& error) {
+        if (!fault_of_table_) fault_of_table_ = error;
+      }
     }
   }
 
@@ -243,6 +229,23 @@ class Collector {
   }
 
  private:
+  struct TableOfRows {
+    const MatValue* value;
+    Sampling known;
+    std::string inside;
+  };
+
+  void read_table(const TableOfRows& rows) {
+    const std::string place = path_ + ":" + rows.inside;
+    ColumnsOfRows columns = columns_of_rows(*rows.value, place);
+    for (const std::string& name : columns.left_out) {
+      result_.warnings.push_back(
+          {"channel_left_out", fmt::format("{}: {}: left out, its values are no real numbers",
+                                           place, in_quotes(name))});
+    }
+    read_struct(columns.table, 0, rows.known, rows.inside);
+  }
+
   void give_units(MatValue& value, std::size_t element, std::vector<Array>& arrays,
                   const std::string& place) {
     const std::size_t axis = find_points(arrays).first;
@@ -364,6 +367,7 @@ class Collector {
                         "s = struct('time', seconds(T.Time), 'x', T.x); save('name.mat', "
                         "'-struct', 's'); or writetimetable(T, 'name.csv'), writetable.");
     }
+    if (fault_of_table_) throw FormatError(*fault_of_table_);
     throw FormatError({.file = path_}, "a vector of two numbers or more", "none");
   }
 
@@ -372,6 +376,8 @@ class Collector {
   bool place_untimed_;
   Recordings result_;
   std::vector<WithoutAxis> without_axis_;
+  std::vector<TableOfRows> tables_;
+  std::optional<FormatError> fault_of_table_;                ///< of the first that is no recording
   std::vector<std::pair<std::string, std::string>> others_;  ///< places and what lies there
 };
 
@@ -380,8 +386,8 @@ class Collector {
 namespace {
 
 /// What is asked for, over points as far as they are known.
-void collect(Collector& collector, MatValue& root, std::string_view variable,
-             const std::string& path) {
+void collect_values(Collector& collector, MatValue& root, std::string_view variable,
+                    const std::string& path) {
   if (variable.empty()) return collector.read_struct(root, 0, {}, {});
   const Sampling known = sampling_of(root, 0, {}, path);
   const MatPlace place = follow(root, variable, path);
@@ -400,6 +406,12 @@ void collect(Collector& collector, MatValue& root, std::string_view variable,
     throw InputError(fmt::format("{}: {}", path, in_quotes(variable, 200)), describe(*place.value),
                      "must be a struct or a vector");
   }
+}
+
+void collect(Collector& collector, MatValue& root, std::string_view variable,
+             const std::string& path) {
+  collect_values(collector, root, variable, path);
+  collector.read_tables();
 }
 
 }  // namespace
