@@ -16,6 +16,7 @@
 
 #include "io/other_hdf5.hpp"
 #include "io/support.hpp"
+#include "microslip/io/bytes/byte_order.hpp"
 #include "microslip/io/hdf5/hdf5_recording.hpp"
 #include "microslip/io/open/recording_file.hpp"
 
@@ -589,6 +590,47 @@ TEST_F(Hdf5NetCdf, TakesTheTimesOfPyTables) {
   }
 }
 
+// As PyTables writes them on a big-endian machine.
+TEST_F(Hdf5NetCdf, TakesTimesInTheOtherByteOrder) {
+  struct Row {
+    std::int64_t time;
+    double force;
+    std::int32_t second;
+  };
+  const auto pair = [](std::int64_t microseconds) {
+    return byte_swapped((std::int64_t{1704067200} << 32) + microseconds);
+  };
+  const auto second = [](std::int32_t seconds) { return byte_swapped(1704067200 + seconds); };
+  for (const bool table : {true, false}) {
+    for (const bool pairs : {true, false}) {
+      {
+        OtherFile file(path_);
+        const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+        H5Tinsert(type, pairs ? "time" : "other", HOFFSET(Row, time), H5T_UNIX_D64BE);
+        H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
+        H5Tinsert(type, pairs ? "other" : "time", HOFFSET(Row, second), H5T_UNIX_D32BE);
+        if (table) {
+          file.dataset<Row>("data", type, {3},
+                            {{pair(0), 1.0, second(0)},
+                             {pair(1000), 2.0, second(2)},
+                             {pair(2000), 3.0, second(4)}});
+        } else if (pairs) {
+          file.dataset<std::int64_t>("time", H5T_UNIX_D64BE, {3},
+                                     {pair(0), pair(1000), pair(2000)});
+        } else {
+          file.dataset<std::int32_t>("time", H5T_UNIX_D32BE, {3},
+                                     {second(0), second(2), second(4)});
+        }
+        if (!table) file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+        H5Tclose(type);
+      }
+      const Recording recording = read().recordings.at(0);
+      EXPECT_EQ(recording.axis.start, 0.0);
+      EXPECT_NEAR(recording.axis.step, pairs ? 1e-3 : 2.0, 1e-15) << table;
+    }
+  }
+}
+
 // Arrays of PyTables, of Time64Col and Time32Col: 1704067200.25 s and 0.5 s each later.
 TEST_F(Hdf5NetCdf, TakesDatasetsOfTimes) {
   constexpr std::int64_t kStart = std::int64_t{1704067200} << 32;
@@ -681,6 +723,38 @@ TEST_F(Hdf5NetCdf, TakesWholeNumbersInAUnitOfTimeOfATable) {
     EXPECT_NEAR(all.recordings.at(0).axis.step, 2000e-9, 1e-18);
     EXPECT_TRUE(all.recordings[0].axis.even());
     EXPECT_EQ(all.recordings[0].channel("count").values, (std::vector{3.0, 1.0, 2.0}));
+  }
+}
+
+// Numbers from 2⁶³ on, which 64 bits with a sign do not hold.
+TEST_F(Hdf5NetCdf, TakesTimesWithoutASignFromTheFirstOn) {
+  struct Row {
+    std::uint64_t time;
+    double force;
+  };
+  constexpr std::uint64_t kHalf = std::uint64_t{1} << 63U;
+  for (const std::uint64_t first : {kHalf - 1000, kHalf, UINT64_MAX - 2000}) {
+    for (const bool table : {true, false}) {
+      {
+        OtherFile file(path_);
+        const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+        H5Tinsert(type, "time [ns]", HOFFSET(Row, time), H5T_NATIVE_UINT64);
+        H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
+        if (table) {
+          file.dataset<Row>("data", type, {3},
+                            {{first, 1.0}, {first + 1000, 2.0}, {first + 2000, 3.0}});
+        } else {
+          file.dataset<std::uint64_t>("time", H5T_NATIVE_UINT64, {3},
+                                      {first, first + 1000, first + 2000});
+          file.text("time", "units", "ns");
+          file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+        }
+        H5Tclose(type);
+      }
+      const Recordings all = read();
+      EXPECT_EQ(all.recordings.at(0).axis.start, 0.0) << first;
+      EXPECT_NEAR(all.recordings[0].axis.step, 1e-6, 1e-18) << first;
+    }
   }
 }
 

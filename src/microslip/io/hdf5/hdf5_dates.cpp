@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "microslip/io/bytes/byte_order.hpp"
 #include "microslip/io/recordings/unitless_times.hpp"
 
 namespace microslip {
@@ -27,18 +28,27 @@ bool is_large_integer(hid_t type) {
   return H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == sizeof(std::int64_t);
 }
 
-bool is_hdf5_time(hid_t type) {
-  return H5Tget_class(type) == H5T_TIME &&
-         (H5Tequal(type, H5T_UNIX_D32LE) > 0 || is_time_of_pairs(type));
+hid_t large_integer_in_memory(hid_t type) {
+  return H5Tget_sign(type) == H5T_SGN_NONE ? H5T_NATIVE_UINT64 : H5T_NATIVE_INT64;
 }
 
-bool is_time_of_pairs(hid_t type) { return H5Tequal(type, H5T_UNIX_D64LE) > 0; }
+std::optional<Hdf5Time> hdf5_time(hid_t type) {
+  if (H5Tget_class(type) != H5T_TIME) return std::nullopt;
+  for (const Hdf5Time& time :
+       {Hdf5Time{H5T_UNIX_D32LE, false, false}, Hdf5Time{H5T_UNIX_D64LE, true, false},
+        Hdf5Time{H5T_UNIX_D32BE, false, true}, Hdf5Time{H5T_UNIX_D64BE, true, true}}) {
+    if (H5Tequal(type, time.type) > 0) return time;
+  }
+  return std::nullopt;
+}
 
-std::int64_t time_in_nanoseconds(std::int64_t bits, bool is_pair) {
+std::int64_t time_in_nanoseconds(std::int64_t bits, const Hdf5Time& time) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   constexpr std::int64_t kMicrosecond = 1'000;
-  const auto lower = static_cast<std::int32_t>(bits);
-  return is_pair ? kSecond * (bits >> 32) + kMicrosecond * lower : kSecond * lower;
+  if (time.is_pair && time.is_big) bits = byte_swapped(bits);
+  auto lower = static_cast<std::int32_t>(bits);
+  if (!time.is_pair && time.is_big) lower = byte_swapped(lower);
+  return time.is_pair ? kSecond * (bits >> 32) + kMicrosecond * lower : kSecond * lower;
 }
 
 std::vector<double> seconds_from_first(std::span<const std::int64_t> nanoseconds) {
@@ -51,19 +61,21 @@ std::vector<double> seconds_from_first(std::span<const std::int64_t> nanoseconds
   return seconds;
 }
 
-WholeTimes whole_times(std::span<const std::int64_t> numbers, const std::string& unit,
+WholeTimes whole_times(const WholeNumbers& whole, const std::string& unit,
                        const std::string& place) {
+  const std::vector<std::int64_t>& numbers = whole.bits;
   WholeTimes times{.values = {}, .unit = unit};
   if (numbers.empty()) return times;
   const auto first = static_cast<double>(numbers.front());
   const double step =
       numbers.size() < 2 ? 0.0 : std::abs(static_cast<double>(difference(numbers[1], numbers[0])));
-  const CountedUnit* const counted = unit.empty() ? counted_unit(first) : nullptr;
+  const bool is_beyond = !whole.is_signed && numbers.front() < 0;
+  const CountedUnit* const counted = unit.empty() && !is_beyond ? counted_unit(first) : nullptr;
   if (counted != nullptr) {
     times.unit = counted->unit;
     times.warning = since_1970(*counted, place);
   }
-  const bool from_first = counted != nullptr || !holds_steps(first, step);
+  const bool from_first = counted != nullptr || is_beyond || !holds_steps(first, step);
   const std::int64_t zero = from_first ? numbers.front() : 0;
   times.values.reserve(numbers.size());
   for (const std::int64_t number : numbers) {

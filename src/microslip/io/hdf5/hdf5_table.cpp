@@ -46,8 +46,7 @@ enum class Stored {
   kNumbers,      ///< real numbers
   kWholeTimes,   ///< whole numbers of eight bytes, called time or in a unit of time
   kNanoseconds,  ///< whole ones, as pandas writes dates
-  kSeconds,      ///< whole ones, as PyTables writes Time32Col
-  kPairs,        ///< seconds in the upper 32 bits, microseconds in the lower: its Time64Col
+  kTimes,        ///< as PyTables writes Time32Col and Time64Col
 };
 
 /// A member of the type of a row.
@@ -56,8 +55,10 @@ struct Member {
   bool is_list = false;
   hsize_t width = 1;  ///< of the list
   Stored stored = Stored::kOther;
-  bool is_large_integer = false;  ///< a single one of eight bytes
-  std::string reason = {};        ///< why it is left out
+  hid_t integer = H5I_INVALID_HID;      ///< in memory, of a single one of eight bytes
+  hid_t in_memory = H5T_NATIVE_DOUBLE;  ///< of eight bytes or, of seconds, four
+  std::optional<Hdf5Time> time = {};    ///< of kTimes
+  std::string reason = {};              ///< why it is left out
 
   [[nodiscard]] bool is_read() const { return stored != Stored::kOther; }
   [[nodiscard]] bool is_date() const { return stored > Stored::kWholeTimes; }
@@ -70,7 +71,7 @@ bool is_date(hid_t dataset, const std::string& name, const std::string& place) {
 }
 
 Stored stored_number(hid_t dataset, const std::string& name, hid_t type, const std::string& place) {
-  if (is_hdf5_time(type)) return is_time_of_pairs(type) ? Stored::kPairs : Stored::kSeconds;
+  if (hdf5_time(type)) return Stored::kTimes;
   if (!is_hdf5_number(type)) return Stored::kOther;
   return is_date(dataset, name, place) ? Stored::kNanoseconds : Stored::kNumbers;
 }
@@ -95,7 +96,10 @@ Member member_of(hid_t dataset, hid_t row, unsigned index, const std::string& pl
     if (is_hdf5_number(item.id())) member.stored = Stored::kNumbers;
   } else {
     member.stored = stored_number(dataset, member.name, type.id(), place);
-    member.is_large_integer = is_large_integer(type.id());
+    if (is_large_integer(type.id())) member.integer = large_integer_in_memory(type.id());
+    member.time = hdf5_time(type.id());
+    if (member.time) member.in_memory = member.time->type;
+    if (member.stored == Stored::kNanoseconds) member.in_memory = H5T_NATIVE_INT64;
   }
   member.reason = reason_of(member, member.is_read());
   if (!member.reason.empty()) member.stored = Stored::kOther;
@@ -112,28 +116,13 @@ std::vector<Member> members_of(hid_t dataset, const std::string& place) {
   return members;
 }
 
-/// Of a number in memory: of eight bytes or, of seconds, four.
-hid_t number_type(Stored stored) {
-  switch (stored) {
-    case Stored::kWholeTimes:
-    case Stored::kNanoseconds:
-      return H5T_NATIVE_INT64;
-    case Stored::kSeconds:
-      return H5T_UNIX_D32LE;
-    case Stored::kPairs:
-      return H5T_UNIX_D64LE;
-    default:
-      return H5T_NATIVE_DOUBLE;
-  }
-}
-
 /// In memory a row has the numbers alone, doubles one after the other.
 Hdf5Handle memory_type(const std::vector<Member>& members, std::size_t numbers) {
   Hdf5Handle row(H5Tcreate(H5T_COMPOUND, numbers * sizeof(double)), H5Tclose);
   std::size_t at = 0;
   for (const Member& member : members) {
     if (!member.is_read()) continue;
-    const hid_t number = number_type(member.stored);
+    const hid_t number = member.in_memory;
     if (member.is_list) {
       const Hdf5Handle list(H5Tarray_create2(number, 1, &member.width), H5Tclose);
       H5Tinsert(row.id(), member.name.c_str(), at, list.id());
@@ -179,22 +168,21 @@ std::vector<std::vector<double>> read_numbers(hid_t dataset, const std::vector<M
 std::int64_t bits_of(double number) { return std::bit_cast<std::int64_t>(number); }
 
 /// From dates to seconds from the first on.
-void make_seconds(Stored stored, std::vector<double>& dates) {
+void make_seconds(const std::optional<Hdf5Time>& time, std::vector<double>& dates) {
   std::vector<std::int64_t> nanoseconds(dates.size());
   std::ranges::transform(dates, nanoseconds.begin(), [&](double date) {
     const std::int64_t bits = bits_of(date);
-    return stored == Stored::kNanoseconds ? bits
-                                          : time_in_nanoseconds(bits, stored == Stored::kPairs);
+    return time ? time_in_nanoseconds(bits, *time) : bits;
   });
   dates = seconds_from_first(nanoseconds);
 }
 
 /// The field of whole numbers by the bits that were read.
-Hdf5Field field_of_whole_times(const std::string& name, const std::string& unit,
+Hdf5Field field_of_whole_times(const std::string& name, const std::string& unit, bool is_signed,
                                const std::vector<double>& bits, const std::string& place,
                                std::vector<Warning>& warnings) {
-  std::vector<std::int64_t> numbers(bits.size());
-  std::ranges::transform(bits, numbers.begin(), bits_of);
+  WholeNumbers numbers{.bits = std::vector<std::int64_t>(bits.size()), .is_signed = is_signed};
+  std::ranges::transform(bits, numbers.bits.begin(), bits_of);
   WholeTimes times = whole_times(numbers, unit, fmt::format("{}: {}", place, in_quotes(name)));
   if (times.warning) warnings.push_back(*std::move(times.warning));
   return {.name = name, .unit = std::move(times.unit), .values = std::move(times.values)};
@@ -258,8 +246,10 @@ std::vector<std::string> take_names(std::vector<Member>& members, std::vector<st
     Member& member = members[i];
     if (!member.is_read()) continue;
     names[i] = name_of(member, units[i], place, warnings);
-    const bool is_whole = member.stored == Stored::kNumbers && member.is_large_integer;
-    if (is_whole && is_of_time(names[i], units[i])) member.stored = Stored::kWholeTimes;
+    const bool is_whole = member.stored == Stored::kNumbers && member.integer >= 0;
+    if (!is_whole || !is_of_time(names[i], units[i])) continue;
+    member.stored = Stored::kWholeTimes;
+    member.in_memory = member.integer;
   }
   return names;
 }
@@ -285,12 +275,13 @@ Hdf5Table read_hdf5_table(hid_t dataset, const std::string& place) {
     }
     const std::string& name = names[i];
     if (member.stored == Stored::kWholeTimes) {
-      table.fields.push_back(
-          field_of_whole_times(name, units[i], columns[at++], place, table.warnings));
+      table.fields.push_back(field_of_whole_times(name, units[i],
+                                                  member.in_memory == H5T_NATIVE_INT64,
+                                                  columns[at++], place, table.warnings));
       continue;
     }
     for (std::size_t j = 0; j < member.width; ++j, ++at) {
-      if (member.is_date()) make_seconds(member.stored, columns[at]);
+      if (member.is_date()) make_seconds(member.time, columns[at]);
       table.fields.push_back({.name = member.is_list ? fmt::format("{}_{}", name, j + 1) : name,
                               .unit = member.is_date() ? "s" : units[i],
                               .values = std::move(columns[at])});

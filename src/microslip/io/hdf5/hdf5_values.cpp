@@ -188,7 +188,7 @@ Hdf5Content hdf5_content(hid_t dataset) {
   if (is_hdf5_number(type.id())) return Hdf5Content::kReal;
   if (is_complex(type.id())) return Hdf5Content::kComplex;
   if (H5Tequal(type.id(), H5T_STD_REF_OBJ) > 0) return Hdf5Content::kReferences;
-  if (is_hdf5_time(type.id())) return Hdf5Content::kTimes;
+  if (hdf5_time(type.id())) return Hdf5Content::kTimes;
   return H5Tget_class(type.id()) == H5T_COMPOUND ? Hdf5Content::kTable : Hdf5Content::kOther;
 }
 
@@ -227,23 +227,25 @@ void read_hdf5_real(hid_t dataset, std::vector<double>& values, const std::strin
   read_all(dataset, H5T_NATIVE_DOUBLE, values, place);
 }
 
-std::vector<std::int64_t> read_hdf5_integers(hid_t dataset, const std::string& place) {
-  std::vector<std::int64_t> values;
-  read_all(dataset, H5T_NATIVE_INT64, values, place);
-  return values;
+WholeNumbers read_hdf5_integers(hid_t dataset, const std::string& place) {
+  const hid_t in_memory = large_integer_in_memory(type_of(dataset).id());
+  WholeNumbers whole{.bits = {}, .is_signed = in_memory == H5T_NATIVE_INT64};
+  read_all(dataset, in_memory, whole.bits, place);
+  return whole;
 }
 
 std::vector<double> read_hdf5_times(hid_t dataset, const std::string& place) {
-  const bool are_pairs = is_time_of_pairs(type_of(dataset).id());
+  const std::optional<Hdf5Time> type = hdf5_time(type_of(dataset).id());
+  if (!type) fail_hdf5(place, "times");
   std::vector<std::int64_t> times;
-  if (are_pairs) {
-    read_all(dataset, H5T_UNIX_D64LE, times, place);
+  if (type->is_pair) {
+    read_all(dataset, type->type, times, place);
   } else {
     std::vector<std::int32_t> seconds;
-    read_all(dataset, H5T_UNIX_D32LE, seconds, place);
+    read_all(dataset, type->type, seconds, place);
     times.assign(seconds.begin(), seconds.end());
   }
-  for (std::int64_t& time : times) time = time_in_nanoseconds(time, are_pairs);
+  for (std::int64_t& time : times) time = time_in_nanoseconds(time, *type);
   return seconds_from_first(times);
 }
 

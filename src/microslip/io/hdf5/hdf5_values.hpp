@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/io/hdf5/hdf5_dates.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
@@ -36,7 +37,7 @@ enum class Hdf5Content { kReal, kComplex, kReferences, kTable, kTimes, kOther };
 /// @throws FormatError  where the file holds fewer than the dataset claims, or they are damaged.
 void read_hdf5_real(hid_t dataset, std::vector<double>& values, const std::string& place);
 /// The same of whole numbers of eight bytes.
-[[nodiscard]] std::vector<std::int64_t> read_hdf5_integers(hid_t dataset, const std::string& place);
+[[nodiscard]] WholeNumbers read_hdf5_integers(hid_t dataset, const std::string& place);
 /// Seconds from the first on, of Hdf5Content::kTimes.
 [[nodiscard]] std::vector<double> read_hdf5_times(hid_t dataset, const std::string& place);
 void read_hdf5_complex(hid_t dataset, std::vector<double>& real, std::vector<double>& imaginary,
