@@ -170,8 +170,7 @@ class TdmsGroups {
           result_.warnings);
       axes.name_of_points = object.channel;
     } else if (scaled.values.size() > 1) {
-      if (!axes.compared && is_points(object, scaled.values))
-        note_times(object, scaled.values, axes);
+      if (!axes.compared) note_times(object, scaled.values, axes);
       channels.push_back({&object, {}});
       channels.back().channel.values = std::move(scaled.values);
       const TdmsTime* const start = object.properties.time("wf_start_time");
@@ -249,10 +248,10 @@ class TdmsGroups {
     return states_step(object.properties.number("wf_increment"));
   }
 
-  /// Those in an unknown unit are compared with nothing.
+  /// Where values are times; those in an unknown unit are compared with nothing.
   void note_times(const TdmsObject& object, const std::vector<double>& values, GroupAxes& axes) {
     const std::string unit = unit_of(object.properties);
-    if (!unit.empty() && !find_unit_of_points(unit)) return;
+    if (!is_points(object, values) || (!unit.empty() && !find_unit_of_points(unit))) return;
     std::vector<Warning> unused;  // as the values stay a channel
     axes.compared = axis_of_points({values, unit, kTime, place_of(object)}, {}, unused);
     axes.name_of_compared = object.channel;
