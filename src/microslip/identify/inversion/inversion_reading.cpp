@@ -235,7 +235,8 @@ void read_model(const InversionModel& model, const std::vector<InversionModel>& 
     result.posterior.others.push_back(posterior_of(other, levels, result.slip_force));
   }
   if (model.few_levels() && !model.lambda_fixed) {
-    const DensityPosterior rough = hardly_smooth(model, result.posterior);
+    const DensityPosterior rough =
+        hardly_smooth(model, posterior_of(model, levels, result.slip_force));
     result.posterior.others.insert(result.posterior.others.end(), kRoughChains, rough);
   }
   result.smoothing_trend = model.trend;
