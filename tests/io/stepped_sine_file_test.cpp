@@ -171,6 +171,16 @@ Fields fields(const std::string& acceleration, double scale) {
           {"phase", {-10.0, -90.0}}};
 }
 
+// A campaign of sweeps in one MATLAB file opened it 200 times: once for each field of each sweep.
+TEST(SteppedSineFile, ReadsAVariableWhenItIsOpened) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sweeps.mat");
+  write_mat(path, {fields("amplitude", 1.0), fields("amplitude", 3.0)}, "Hz, kN, g, deg");
+  const TestFile opened = open_test(path + ":s");
+  std::filesystem::remove(path);
+  EXPECT_EQ(read_stepped_sines(opened).size(), 2U);
+}
+
 TEST(SteppedSineFile, ReadsAStructArray) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("sweeps.mat");

@@ -199,15 +199,15 @@ bool has_response_fields(const std::vector<std::string>& fields) {
          !field_of(fields, kTransferFields).empty() && !field_of(fields, kLevelFields).empty();
 }
 
-SteppedSine read_response_sweep(const std::string& file, const std::string& variable,
+SteppedSine read_response_sweep(const MatVariable& file, const std::string& variable,
                                 const std::vector<std::string>& fields) {
   const auto path = [&](const auto& names) {
     return fmt::format("{}.{}", variable, field_of(fields, names));
   };
   std::vector<std::string> units{"Hz", "m/s^2/N", "m/s^2"};
-  const std::string place = fmt::format("{}: {}", file, variable);
+  const std::string place = fmt::format("{}: {}", file.path(), variable);
   if (!field_of(fields, kUnitFields).empty()) {
-    units = split_units(read_mat_text(file, path(kUnitFields)), place + ".units");
+    units = split_units(file.text(path(kUnitFields)), place + ".units");
   }
   const std::size_t per = std::min(units[1].rfind('/'), units[1].size());
   const auto [motion, transfer_rate] = motion_unit(units[1].substr(0, per), place + ".units");
@@ -215,14 +215,14 @@ SteppedSine read_response_sweep(const std::string& file, const std::string& vari
   const auto [level_unit, level_rate] = motion_unit(units[2], place + ".units");
   const Unit frequency_unit = parse_unit(units[0], kFrequency);
 
-  ResponseSweep sweep{.source = fmt::format("{}:{}", file, variable),
-                      .frequency = read_mat_numbers(file, path(kFrequencyFields)),
+  ResponseSweep sweep{.source = fmt::format("{}:{}", file.path(), variable),
+                      .frequency = file.numbers(path(kFrequencyFields)),
                       .transfer = {},
                       .transfer_rate = transfer_rate,
                       .level = {},
                       .level_rate = level_rate};
-  const MatArray transfer = read_mat_array(file, path(kTransferFields));
-  const MatArray level = read_mat_array(file, path(kLevelFields));
+  const MatArray transfer = file.array(path(kTransferFields));
+  const MatArray level = file.array(path(kLevelFields));
   sweep.transfer = complex_values(transfer.real, transfer.imaginary);
   sweep.level = magnitudes(complex_values(level.real, level.imaginary));
   if (sweep.transfer.size() != sweep.frequency.size() ||

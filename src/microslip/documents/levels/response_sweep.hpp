@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/io/mat/mat_value.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
 
@@ -37,7 +38,7 @@ namespace microslip {
 /// Reads an element of a struct in a MATLAB file.
 /// @param variable  its path in the file. @param fields  of it, with has_response_fields().
 /// @throws InputError  naming what is missing, of another length or in another unit.
-[[nodiscard]] SteppedSine read_response_sweep(const std::string& file, const std::string& variable,
+[[nodiscard]] SteppedSine read_response_sweep(const MatVariable& file, const std::string& variable,
                                               const std::vector<std::string>& fields);
 
 }  // namespace microslip

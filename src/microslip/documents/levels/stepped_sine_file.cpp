@@ -84,11 +84,11 @@ void require_parts(const std::vector<std::string>& names, const TextPlace& place
 }
 
 /// The units of frequency, force, acceleration and phase.
-std::array<Unit, 4> units_of(const PartOfFile& part, const std::string& variable, bool stated) {
+std::array<Unit, 4> units_of(const MatVariable& file, const std::string& variable, bool stated) {
   if (!stated) return {};  // SI
-  const std::string text = read_mat_text(part.file, variable + ".units");
+  const std::string text = file.text(variable + ".units");
   const auto fail = [&](std::string_view reason) {
-    throw InputError(fmt::format("{}: {}.units", part.file, variable), in_quotes(text),
+    throw InputError(fmt::format("{}: {}.units", file.path(), variable), in_quotes(text),
                      "must be units of frequency, force, acceleration and phase between commas",
                      reason);
   };
@@ -106,16 +106,16 @@ std::array<Unit, 4> units_of(const PartOfFile& part, const std::string& variable
   return units;
 }
 
-SteppedSine read_element(const PartOfFile& part, const std::string& variable,
+SteppedSine read_element(const MatVariable& file, const std::string& variable,
                          const std::vector<std::string>& fields) {
-  if (has_response_fields(fields)) return read_response_sweep(part.file, variable, fields);
-  const std::array<Unit, 4> units = units_of(part, variable, has_all(fields, {"units"}));
+  if (has_response_fields(fields)) return read_response_sweep(file, variable, fields);
+  const std::array<Unit, 4> units = units_of(file, variable, has_all(fields, {"units"}));
   const auto numbers = [&](std::string_view field, const Unit& unit) {
-    std::vector<double> values = read_mat_numbers(part.file, fmt::format("{}.{}", variable, field));
+    std::vector<double> values = file.numbers(fmt::format("{}.{}", variable, field));
     for (double& value : values) value = unit.to_si(value);
     return values;
   };
-  return {.source = fmt::format("{}:{}", part.file, variable),
+  return {.source = fmt::format("{}:{}", file.path(), variable),
           .frequency = numbers("frequency", units[0]),
           .force = numbers("force", units[1]),
           .acceleration = numbers(acceleration_field(fields), units[2]),
@@ -170,8 +170,7 @@ bool is_stepped_sine(const std::string& path) {
   try {
     const PartOfFile part = part_of_file(path);
     if (!part.variable.empty()) {
-      const std::vector<std::string> fields = mat_fields(part.file, part.variable);
-      return are_of_sweep(fields) || has_response_fields(fields);
+      return is_stepped_sine(MatVariable(part.file, part.variable), part.variable);
     }
     return is_stepped_sine_table(head_of(path));
   } catch (const Error&) {
@@ -179,21 +178,25 @@ bool is_stepped_sine(const std::string& path) {
   }
 }
 
-std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part) {
-  const std::vector<std::string> fields = mat_fields(part.file, part.variable);
+bool is_stepped_sine(const MatVariable& file, std::string_view variable) {
+  const std::vector<std::string> fields = file.fields(variable);
+  return are_of_sweep(fields) || has_response_fields(fields);
+}
+
+std::vector<SteppedSine> read_mat_sweeps(const MatVariable& file, const std::string& variable) {
+  const std::vector<std::string> fields = file.fields(variable);
   if (!has_response_fields(fields)) {
-    require_parts(fields, {.file = fmt::format("{}: {}", part.file, part.variable)}, "fields");
+    require_parts(fields, {.file = fmt::format("{}: {}", file.path(), variable)}, "fields");
   }
-  const std::size_t count = mat_count(part.file, part.variable);
+  const std::size_t count = file.count(variable);
   if (count == 0) {
-    throw InputError(fmt::format("{}: {}", part.file, part.variable), "an empty array",
+    throw InputError(fmt::format("{}: {}", file.path(), variable), "an empty array",
                      "must contain at least one sweep");
   }
   std::vector<SteppedSine> sweeps;
   for (std::size_t i = 1; i <= count; ++i) {
-    const std::string element =
-        count == 1 ? part.variable : fmt::format("{}({})", part.variable, i);
-    sweeps.push_back(read_element(part, element, fields));
+    const std::string element = count == 1 ? variable : fmt::format("{}({})", variable, i);
+    sweeps.push_back(read_element(file, element, fields));
   }
   return sweeps;
 }

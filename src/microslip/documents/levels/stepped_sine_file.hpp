@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "microslip/io/bytes/part_of_file.hpp"
+#include "microslip/io/mat/mat_value.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
 
 /// @file
@@ -35,9 +35,12 @@ namespace microslip {
 ///                                  another unit.
 [[nodiscard]] SteppedSine parse_stepped_sine(std::string text, const std::string& name);
 
+/// Whether a variable of a MATLAB file is one, or several. @throws InputError  as MatVariable.
+[[nodiscard]] bool is_stepped_sine(const MatVariable& file, std::string_view variable);
+
 /// The sweeps of a variable of a MATLAB file.
-/// @throws FileError                as the reader of the file.
 /// @throws FormatError, InputError  as parse_stepped_sine().
-[[nodiscard]] std::vector<SteppedSine> read_mat_sweeps(const PartOfFile& part);
+[[nodiscard]] std::vector<SteppedSine> read_mat_sweeps(const MatVariable& file,
+                                                       const std::string& variable);
 
 }  // namespace microslip

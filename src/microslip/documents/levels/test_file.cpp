@@ -32,6 +32,18 @@ bool is_table(TestContent content) {
          content == TestContent::kSteppedSine;
 }
 
+/// A variable that is of stepped sines. What else it is, or what hinders its reading, is for those
+/// who read it.
+std::optional<MatVariable> sweep_of(const PartOfFile& part) {
+  try {
+    MatVariable variable(part.file, part.variable);
+    if (is_stepped_sine(variable, part.variable)) return variable;
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 TestFile open_test(const std::string& path) {
@@ -42,7 +54,8 @@ TestFile open_test(const std::string& path) {
   test.once = test.part.file == "-";
   if (test.once && !file.rewind()) return test;
   if (!test.part.variable.empty()) {
-    if (is_stepped_sine(path)) test.content = TestContent::kSteppedSine;
+    test.sweep = sweep_of(test.part);
+    if (test.sweep) test.content = TestContent::kSteppedSine;
     test.sha256 = sha256_of_rest(file);
     return test;
   }
@@ -79,7 +92,7 @@ Recordings read_recordings(const TestFile& file, const RecordingReadOptions& opt
 }
 
 std::vector<SteppedSine> read_stepped_sines(const TestFile& file) {
-  if (!file.part.variable.empty()) return read_mat_sweeps(file.part);
+  if (file.sweep) return read_mat_sweeps(*file.sweep, file.part.variable);
   if (file.kind == recording_kind(RecordingFormat::kUff)) {
     return response_sweeps(read_recordings(file, {}), file.path);
   }

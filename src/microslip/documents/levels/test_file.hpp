@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/io/bytes/part_of_file.hpp"
+#include "microslip/io/mat/mat_value.hpp"
 #include "microslip/io/recordings/recording_format.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
@@ -35,12 +36,13 @@ struct TestFile {
   std::optional<RecordingFormat> format = {};     ///< of a recording that is a file of its own
   std::string text = {};    ///< all of a table that is no recording; of others the first bytes
   std::string sha256 = {};  ///< of the whole file; empty where nobody can read it, or only once
-  bool once = false;        ///< a pipe, device or standard input, of which nothing was taken
+  std::optional<MatVariable> sweep = {};  ///< of a MATLAB file, where it is kSteppedSine
+  bool once = false;  ///< a pipe, device or standard input, of which nothing was taken
 };
 
 /// Opens a file, recognises it, hashes it and, of a table of levels or of stepped sines, reads it.
 /// Of standard input that is a file the kind alone is found; a pipe or a device counts as a
-/// recording. A variable of a MATLAB file is looked up by a reader that opens the file itself.
+/// recording. A variable of a MATLAB file is read, and kept where it is of stepped sines.
 /// @param path  a file, `FILE:VARIABLE` of a MATLAB file, or "-".
 /// @throws FileError  where it does not exist, is a folder or may not be read.
 [[nodiscard]] TestFile open_test(const std::string& path);

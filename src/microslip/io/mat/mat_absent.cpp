@@ -3,6 +3,8 @@
 // In place of what reads and writes files of MATLAB, see CMakeLists.txt.
 #include "microslip/io/mat/mat_absent.hpp"
 
+#include <utility>
+
 #include "microslip/base/error.hpp"
 #include "microslip/io/hdf5/hdf5_contents.hpp"
 #include "microslip/io/hdf5/hdf5_recording.hpp"
@@ -33,6 +35,24 @@ void write_recordings_mat(const std::string& path, std::span<const Recording> /*
 MatTree mat73_tree(const std::string& path, const MatReadOptions& /*options*/) {
   refuse_matlab(path);
 }
+
+MatVariable::MatVariable(std::string path, std::string_view /*variable*/) : path_(std::move(path)) {
+  refuse_matlab(path_);
+}
+
+std::vector<double> MatVariable::numbers(std::string_view /*variable*/) const {
+  refuse_matlab(path_);
+}
+
+MatArray MatVariable::array(std::string_view /*variable*/) const { refuse_matlab(path_); }
+
+std::string MatVariable::text(std::string_view /*variable*/) const { refuse_matlab(path_); }
+
+std::vector<std::string> MatVariable::fields(std::string_view /*variable*/) const {
+  refuse_matlab(path_);
+}
+
+std::size_t MatVariable::count(std::string_view /*variable*/) const { refuse_matlab(path_); }
 
 std::vector<double> read_mat_numbers(const std::string& path, std::string_view /*variable*/) {
   refuse_matlab(path);

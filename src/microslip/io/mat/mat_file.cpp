@@ -12,6 +12,7 @@
 #include "microslip/io/hdf5/hdf5_reader.hpp"
 #include "microslip/io/mat/mat4_reader.hpp"
 #include "microslip/io/mat/mat5_reader.hpp"
+#include "microslip/io/mat/mat_stream.hpp"
 #include "microslip/io/mat/octave_text_reader.hpp"
 
 namespace microslip {
@@ -22,7 +23,8 @@ constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1A\n";
 
 MatTree read_any_version(const std::string& path, const MatReadOptions& options) {
   if (path == "-") throw FileError("standard input", "cannot hold a MAT file", "Name a file.");
-  const std::string head = read_file_head(path, kHeadSize);
+  MatFileStream file(path, options.progress);
+  const std::string head = file.head(kHeadSize);
   if (head.starts_with(kHdf5Signature) ||
       (head.size() == kHeadSize && head.ends_with(kHdf5Signature))) {
     return read_mat73_tree(path, options);
@@ -30,7 +32,6 @@ MatTree read_any_version(const std::string& path, const MatReadOptions& options)
   if (head.starts_with("# Created by Octave")) {
     return parse_octave_text(read_text(path), path, options);
   }
-  MatFileStream file(path, options.progress);
   if (head.starts_with("MATLAB 5.0") ||
       (head.size() >= 128 && (head.substr(126, 2) == "IM" || head.substr(126, 2) == "MI"))) {
     return read_mat5(file, options);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <new>
 
 #include "microslip/io/bytes/input_file.hpp"
@@ -55,12 +56,20 @@ void MatStream::skip(std::size_t size) {
 
 MatFileStream::MatFileStream(const std::string& path, Progress progress)
     : MatStream(path), progress_(std::move(progress)) {
-  (void)read_file_head(path, 1);  // says what hinders the reading better than a stream does
+  if (!std::filesystem::is_regular_file(path)) (void)read_file_head(path, 1);  // throws why
   file_.open(path, std::ios::binary | std::ios::ate);
+  if (!file_) (void)read_file_head(path, 1);
   const std::streamoff size = file_.tellg();
   if (size < 0) throw FileError(path, "cannot be read", "It must be a file, not a pipe.");
   size_ = static_cast<std::size_t>(size);
   file_.seekg(0);
+}
+
+std::string MatFileStream::head(std::size_t size) {
+  std::string bytes(std::min(size, size_), '\0');
+  file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file_.seekg(0);
+  return bytes;
 }
 
 std::size_t MatFileStream::read_some(char* to, std::size_t size) {

@@ -61,6 +61,9 @@ class MatFileStream : public MatStream {
   [[nodiscard]] std::size_t at_most() const override { return size_ - offset(); }
   [[nodiscard]] bool at_end() const { return offset() == size_; }
 
+  /// The first bytes of the file, at most `size` of them, before any is read.
+  [[nodiscard]] std::string head(std::size_t size);
+
  private:
   std::size_t read_some(char* to, std::size_t size) override;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,27 +21,55 @@
 
 namespace microslip {
 
-/// All numbers of a real array, column by column; of any numeric class.
-[[nodiscard]] std::vector<double> read_mat_numbers(const std::string& path,
-                                                   std::string_view variable);
-
 /// An array of numbers.
 struct MatArray {
   std::vector<std::size_t> sizes;  ///< the length along each dimension, two at least
   std::vector<double> real;        ///< column by column
   std::vector<double> imaginary;   ///< of the same length, or empty: the numbers are real
 };
-/// All numbers of an array, real or complex, with its sizes.
+
+struct MatTree;
+
+/// A variable of a file with all that is in it: the file is read once, whatever is asked for.
+class MatVariable {
+ public:
+  /// @param variable  its name, or a path that begins with it; empty: all variables of the file.
+  MatVariable(std::string path, std::string_view variable);
+
+  /// Of the file.
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// All numbers of a real array, column by column; of any numeric class.
+  [[nodiscard]] std::vector<double> numbers(std::string_view variable) const;
+  /// All numbers of an array, real or complex, with its sizes.
+  [[nodiscard]] MatArray array(std::string_view variable) const;
+  /// A text of one row, in UTF-8.
+  [[nodiscard]] std::string text(std::string_view variable) const;
+  /// The names of the fields of a struct; of the variables of the file where `variable` is empty.
+  [[nodiscard]] std::vector<std::string> fields(std::string_view variable) const;
+  /// The number of elements of an array of any kind.
+  [[nodiscard]] std::size_t count(std::string_view variable) const;
+
+ private:
+  std::string path_;
+  std::shared_ptr<MatTree> tree_;
+};
+
+/// MatVariable::numbers() of a file that is read for it alone.
+[[nodiscard]] std::vector<double> read_mat_numbers(const std::string& path,
+                                                   std::string_view variable);
+
+/// MatVariable::array() of a file that is read for it alone.
 [[nodiscard]] MatArray read_mat_array(const std::string& path, std::string_view variable);
 
-/// A text of one row, in UTF-8.
+/// MatVariable::text() of a file that is read for it alone.
 [[nodiscard]] std::string read_mat_text(const std::string& path, std::string_view variable);
 
-/// The names of the fields of a struct; of the variables of the file where `variable` is empty.
+/// MatVariable::fields() of a file that is read for it alone.
 [[nodiscard]] std::vector<std::string> mat_fields(const std::string& path,
                                                   std::string_view variable);
 
-/// The number of elements of an array of any kind.
+/// MatVariable::count() of a file that is read for it alone.
 [[nodiscard]] std::size_t mat_count(const std::string& path, std::string_view variable);
 
 }  // namespace microslip
