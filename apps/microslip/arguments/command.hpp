@@ -99,6 +99,7 @@ void add_calibrate(CLI::App& program, Call& call);
 void add_campaign(CLI::App& program, Call& call);
 void add_loop(CLI::App& program, Call& call);
 void add_dissipation(CLI::App& program, Call& call);
+void add_export(CLI::App& program, Call& call);
 void add_model(CLI::App& program, Call& call);
 void add_modes(CLI::App& program, Call& call);
 void add_frf(CLI::App& program, Call& call);

@@ -43,6 +43,7 @@ constexpr std::array kSubcommands{
     Subcommand{"ensemble", add_ensemble},
     Subcommand{"loop", add_loop},
     Subcommand{"dissipation", add_dissipation},
+    Subcommand{"export", add_export},
     Subcommand{"report", add_report},
     Subcommand{"plot", add_plot},
     Subcommand{"ringdown", add_ringdown},

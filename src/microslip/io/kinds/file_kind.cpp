@@ -13,7 +13,9 @@
 #include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 #include "microslip/io/cells/csv_header.hpp"
+#include "microslip/io/kinds/comment_text.hpp"
 
 namespace microslip {
 namespace {
@@ -39,6 +41,7 @@ constexpr std::array kTableKinds{
     TableKind{kLeftOutKind, {"left_out", "predicted", "deviation"}},
     TableKind{kHarmonicsKind, {"source", "harmonic", "frequency"}},
     TableKind{kForceControlKind, {"level", "force_before", "force_after"}},
+    TableKind{kSliderErrorsKind, {"amplitude", "dissipation_error", "secant_stiffness_error"}},
     TableKind{kDissipationKind, {"amplitude", "dissipation", "loss_factor"}},
     TableKind{kEnsembleTableKind, {"group", "output", "unit"}},
     TableKind{kLevelsKind, {"amplitude", "dissipation"}},
@@ -89,6 +92,7 @@ constexpr std::array kKnownKinds{
     KnownKind{kPlanKind, "a table of planned levels, of plan", KindFormat::kTable},
     KnownKind{kDissipationKind, "a table of a dissipation curve, of dissipation",
               KindFormat::kTable},
+    KnownKind{kSliderErrorsKind, "a table of errors of sliders, of export", KindFormat::kTable},
     KnownKind{kPeaksKind, "a table of peaks of draws, of frf --peaks-csv", KindFormat::kTable},
     KnownKind{kMarchPeaksKind, "a table of peaks of draws, of march", KindFormat::kTable},
     KnownKind{kBackboneKind, "a table of a backbone (backbone.csv)", KindFormat::kTable},
@@ -189,6 +193,18 @@ bool has_line(std::string_view head) {
   }
 }
 
+/// The target of an export, by a comment at its head.
+std::string_view exported_to(std::string_view head) {
+  constexpr std::string_view kMark = "microslip export: ";
+  while (!head.empty()) {
+    const std::string_view text = comment_text(take_dos_line(head));
+    if (text.empty()) return {};
+    if (text.starts_with(kMark))
+      return text.substr(kMark.size(), text.find(' ', kMark.size()) - kMark.size());
+  }
+  return {};
+}
+
 /// By the mark that a report has in its head.
 bool is_report(std::string_view head) {
   return head.substr(0, head.find("<body"))
@@ -213,6 +229,10 @@ std::string read_kind_head(const std::string& path) {
   return std::string(peek_kind_head(file));
 }
 
+std::string export_kind(std::string_view target) {
+  return fmt::format("a joint exported to {}", target);
+}
+
 std::string file_kind(std::string_view head) {
   const std::string_view name = signature(head);
   if (name == "JSON") {
@@ -227,6 +247,8 @@ std::string file_kind(std::string_view head) {
     }
   }
   if (!name.empty()) return std::string(name);
+  if (const std::string_view target = exported_to(head); !target.empty())
+    return export_kind(target);
   if (const std::string_view schema = toml_schema(head); !schema.empty())
     return std::string(schema);
   const std::vector<std::string> names = csv_column_names(head);

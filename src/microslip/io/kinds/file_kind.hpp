@@ -79,6 +79,12 @@ inline constexpr std::string_view kReportKind = "a report of microslip";
 inline constexpr std::string_view kSpectrumKind = "a shock response spectrum";  ///< of `spectrum`
 inline constexpr std::string_view kMarchKind = "a table of a march";            ///< of MarchTable
 
+/// of slider_errors_table()
+inline constexpr std::string_view kSliderErrorsKind = "a table of errors of sliders";
+/// Of a joint exported to a target: "a joint exported to calculix". Its text has the comment
+/// "microslip export: TARGET".
+[[nodiscard]] std::string export_kind(std::string_view target);
+
 class InputStream;
 
 /// So much of a file tells its kind, unless comments or a very long header fill it.

@@ -11,6 +11,7 @@
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/bytes/text_pieces.hpp"
+#include "microslip/io/kinds/comment_text.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 
 namespace microslip {
@@ -40,15 +41,16 @@ bool needs_whole(std::string_view signature) {
   return signature == "JSON" || signature == "a PDF document";
 }
 
-/// A comment "# microslip 1.2.3: …" above the first line of a table or of TOML.
+/// A comment "# microslip 1.2.3: …" above the first line of a table, of TOML or of an export.
 bool has_heading(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  constexpr std::string_view kHeading = "# microslip ";
+  constexpr std::string_view kHeading = "microslip ";
   while (!text.empty()) {
     const std::string_view line = take_dos_line(text);
-    if (!trimmed(line).empty() && line.front() != '#') return false;
-    const bool is_heading = line.starts_with(kHeading) && line.size() > kHeading.size() &&
-                            line[kHeading.size()] >= '0' && line[kHeading.size()] <= '9';
+    const std::string_view comment = comment_text(line);
+    if (!trimmed(line).empty() && line.front() != '#' && comment.empty()) return false;
+    const bool is_heading = comment.starts_with(kHeading) && comment.size() > kHeading.size() &&
+                            comment[kHeading.size()] >= '0' && comment[kHeading.size()] <= '9';
     if (is_heading) return true;
   }
   return false;

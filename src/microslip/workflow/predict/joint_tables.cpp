@@ -48,19 +48,6 @@ double farthest(const DisplacementPath& path) {
   return result;
 }
 
-/// A loss of βA² whatever the frequency is known for harmonics alone.
-std::optional<Warning> damping_warning(const JointFile& file) {
-  const double beta = identified_damping(file).value_or(0.0);
-  if (beta == 0.0) return std::nullopt;
-  return Warning{"linear_damping_left_out",
-                 fmt::format("The joint was identified with a linear damping of {}, which is not "
-                             "in the force: a rate-independent loss that grows with the square of "
-                             "the amplitude has no force along a path. Per cycle of "
-                             "amplitude A the joint loses {:.6g} J/m^2 A^2 more than the area of "
-                             "the loop.",
-                             damping_text(beta), beta)};
-}
-
 /// A column of a dissipation curve.
 struct CurveColumn {
   const char* name;
@@ -158,6 +145,18 @@ JointTable with_draws(CsvWriter table, std::vector<Warning> warnings, DrawnValue
 
 }  // namespace
 
+std::optional<Warning> linear_damping_warning(const JointFile& file) {
+  const double beta = identified_damping(file).value_or(0.0);
+  if (beta == 0.0) return std::nullopt;
+  return Warning{"linear_damping_left_out",
+                 fmt::format("The joint was identified with a linear damping of {}, which is not "
+                             "in the force: a rate-independent loss that grows with the square of "
+                             "the amplitude has no force along a path. Per cycle of "
+                             "amplitude A the joint loses {:.6g} J/m^2 A^2 more than the area of "
+                             "the loop.",
+                             damping_text(beta), beta)};
+}
+
 std::vector<double> loading_and_cycle(double amplitude, std::size_t points) {
   std::vector<double> x;
   x.reserve(3 * points + 1);
@@ -199,7 +198,7 @@ JointTable loop_of(const JointFile& file, const DisplacementPath& path, NormalLo
                    std::size_t elements, const std::string& command,
                    const std::optional<LoneJointDraws>& draws) {
   std::vector<Warning> warnings = reach_warnings(file, farthest(path));
-  if (const auto warning = damping_warning(file)) warnings.push_back(*warning);
+  if (const auto warning = linear_damping_warning(file)) warnings.push_back(*warning);
   DrawnValues drawn = drawn_values(
       file, draws, path.displacement.size(),
       [&](const Joint& joint, double) { return forces_along(path, joint, law, elements); });

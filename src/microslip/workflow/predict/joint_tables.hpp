@@ -51,6 +51,11 @@ struct LoneJointDraws {
 [[nodiscard]] LoneJointDraws draws_of(const JointFile& file, const JointUncertainty& uncertain,
                                       const DrawOptions& options);
 
+/// `linear_damping_left_out`: a loss of βA² whatever the frequency is known for harmonics alone,
+/// and is no force along a path. Nothing where the joint has none.
+/// @param file  of the joint.
+[[nodiscard]] std::optional<Warning> linear_damping_warning(const JointFile& file);
+
 /// First loading from 0 to A, then one steady cycle: A to −A and back; m.
 /// @param amplitude  A, m. @param points  of a branch; 1 or more.
 [[nodiscard]] std::vector<double> loading_and_cycle(double amplitude, std::size_t points);

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments/command.hpp"
+#include "arguments/printed_text.hpp"
+#include "arguments/recording_arguments.hpp"
+#include "microslip/documents/exports/export_targets.hpp"
+#include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/output_files.hpp"
+#include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/predict/joint_export.hpp"
+#include "microslip/workflow/text/quantity_text.hpp"
+
+namespace microslip::app {
+namespace {
+
+struct ExportOptions {
+  std::string joint;
+  std::string out;
+  std::string errors;
+  ExportRequest request;
+  std::string reach;
+  std::size_t elements = 0;
+};
+
+/// The name of the file without its ending, where none was given.
+std::string name_of(const ExportOptions& options) {
+  if (!options.request.name.empty()) return options.request.name;
+  return name_in_exports(std::filesystem::path(options.joint).stem().string());
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+int run(const ExportOptions& options, const Call& call) {
+  ExportRequest request = options.request;
+  if (options.elements > 0) request.sliders = options.elements;
+  if (!options.reach.empty()) {
+    request.reach = parse_quantity("--up-to", options.reach, kLength);
+    check_displacement("--up-to", request.reach);
+  }
+  request.name = name_of(options);
+  const ExportTarget& target = export_target(request.target);
+  std::vector<PlannedOutput> planned{{options.out, export_kind(target.name)}};
+  if (!options.errors.empty()) planned.push_back({options.errors, kSliderErrorsKind});
+  check_outputs(planned);
+  const NamedInput input{options.joint, read_text(options.joint)};
+  const JointFile file = parse_joint(input.text, input.path);
+  const JointExport result =
+      export_joint(file, request, lines_of(provenance_of(call.command_line, {input})));
+  OutputFiles files;
+  files.add(options.out, result.text);
+  if (!options.errors.empty()) {
+    files.add(options.errors, slider_errors_table(result.errors, command_of(call, options.errors)));
+  }
+  files.commit();
+  if (call.quiet) return kDone;
+  show_warnings(result.warnings);
+  if (options.out != "-") print_text(stdout, export_summary(result, request, options.out));
+  return kDone;
+}
+
+std::string targets_text() {
+  std::string text;
+  for (const ExportTarget& target : all_export_targets()) {
+    if (target.text == nullptr) continue;
+    text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", target.name, target.words);
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_export(CLI::App& program, Call& call) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* command = program.add_subcommand(
+      "export", "A joint as the input of a finite-element code or another program");
+  command->add_option("joint", options->joint, "Joint model, joint.json")
+      ->required()
+      ->type_name(kJsonValue);
+  command->add_option("--to", options->request.target, targets_text())
+      ->required()
+      ->type_name("TARGET");
+  command
+      ->add_option("--out", options->out,
+                   "File to write; - is standard output. The joint becomes Jenkins elements in "
+                   "parallel, each a spring in series with a slider")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* elements = command->add_option(
+      "--elements", options->elements,
+      "Number of sliders, chosen so that the largest error of the force is as small as it can be; "
+      "if not given as many as --error needs");
+  elements->check(CLI::Range(1, 5000));
+  command
+      ->add_option("--error", options->request.error,
+                   "Largest error of the force along a nested path, over its largest force")
+      ->check(CLI::Range(1e-7, 0.5))
+      ->capture_default_str()
+      ->excludes(elements);
+  command->add_option("--up-to", options->reach,
+                      "Largest displacement of the joint in the analysis, in m or with a unit: "
+                      "what slips beyond it becomes a spring, and the sliders are as exact as they "
+                      "can be below it");
+  command
+      ->add_option("--units", options->request.units,
+                   "Units of the target: SI (N, m), mm-N-t (N, mm) or in-lbf (lbf, in)")
+      ->check(CLI::IsMember({"SI", "mm-N-t", "in-lbf"}, CLI::ignore_case))
+      ->capture_default_str();
+  command->add_option("--name", options->request.name,
+                      "Name of the joint in the target; that of the file if not given");
+  command
+      ->add_option("--first-number", options->request.first_number,
+                   "First number of the nodes, elements, real constants or tags that are made")
+      ->check(CLI::Range(1, 90'000'000))
+      ->capture_default_str();
+  command
+      ->add_option("--errors-csv", options->errors,
+                   "CSV to write: amplitude [m], dissipation_error [1] and secant_stiffness_error "
+                   "[1] of the sliders, relative to the joint")
+      ->type_name(kCsvValue);
+  command->add_flag("--quiet", call.quiet, "No summary and no warnings on the screen");
+  add_examples(*command,
+               {"microslip export joint.json --to calculix --units mm-N-t --out joint.inp",
+                "microslip export joint.json --to opensees --elements 20 --first-number 100 \\",
+                "          --out joint.tcl",
+                "microslip export joint.json --to c --error 1e-5 --name bolt --out bolt.c"});
+  command->callback(
+      [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
+}
+
+}  // namespace microslip::app
