@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/observe/path_corners.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -105,6 +107,26 @@ TEST(PathCorners, AreNoneOfNoise) {
 
 TEST(PathCorners, AreNoneOfShortPaths) {
   EXPECT_EQ(path_corners(std::vector<double>(16, 1.0)).size(), 0U);
+}
+
+// Triangles that grow, turning midway between two samples, written with nine digits: two places
+// that were seen moved to one corner, and the window between them had no end (a segmentation
+// fault).
+TEST(PathCorners, AreOnceEachWhereTheyAreRounded) {
+  constexpr int kTurns = 20;
+  std::vector<Vertex> growing{{0.0, 0.0}};
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const double at = 37.5 + 75.0 * turn;
+    const double size = std::max(0.06, at / 1500.0);
+    growing.push_back({at, turn % 2 == 0 ? size : -size});
+  }
+  growing.push_back({1500.0, 0.0});
+  for (const double scale :
+       {1.820740099571985e-06, 2.7148547265657925e-06, 4.943044865170874e-06}) {
+    std::vector<double> path = through(growing);
+    for (double& value : path) value = std::stod(fmt::format("{:.8e}", scale * value));
+    EXPECT_EQ(path_corners(path).size(), static_cast<std::size_t>(kTurns)) << scale;
+  }
 }
 
 // The part of a corner has its jump of the velocity, and none of a derivative elsewhere.

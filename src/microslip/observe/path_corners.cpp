@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "microslip/algebra/cholesky.hpp"
 #include "microslip/observe/path_noise.hpp"
@@ -246,6 +247,17 @@ std::optional<PathCorner> refined(std::span<const double> path, double at, std::
   return {};
 }
 
+/// Corners in order. Two that moved to one place are one: a window that reaches over a corner is
+/// drawn to it.
+std::vector<PathCorner> set_apart(std::vector<PathCorner> corners) {
+  std::ranges::sort(corners, {}, &PathCorner::at);
+  const auto alike = std::ranges::unique(
+      corners,
+      [](const PathCorner& one, const PathCorner& next) { return next.at - one.at <= kApart; });
+  corners.erase(alike.begin(), alike.end());
+  return corners;
+}
+
 /// Those of the places where there are corners.
 std::vector<PathCorner> refined_corners(std::span<const double> path,
                                         const std::vector<double>& seen, double variance) {
@@ -258,7 +270,7 @@ std::vector<PathCorner> refined_corners(std::span<const double> path,
       corners.push_back(*corner);
     }
   }
-  return corners;
+  return set_apart(std::move(corners));
 }
 
 /// A path less the change of its velocity at each corner: change·t behind it.
