@@ -14,11 +14,11 @@ namespace microslip {
 enum class RecordDeparture {
   kRate,               ///< the force depends on the velocity
   kAsymmetry,          ///< it differs between the two directions
-  kDeadZone,           ///< it is missing about zero: backlash, pinching
+  kDeadZone,           ///< it is missing about zero, or a contact closes: backlash, bearing
   kDrift,              ///< it changes over the cycles: wear, temperature, a changing load
   kOffset,             ///< its zero drifts
   kDisplacementDrift,  ///< the zero of the displacement drifts
-  kRange,              ///< branches of different ranges do not follow one curve
+  kRange,              ///< branches do not follow one curve: other loops than Masing has
   kOther,  ///< it deviates from the joint of the other records: units, gain, another joint
 };
 inline constexpr std::array
@@ -42,6 +42,8 @@ struct RecordVerdict {
   double share = 0.0;   ///< of the force, rms, that it explains in addition to the joint, 1
   double noise = 0.0;   ///< that it would explain of noise alone, 1
   bool broken = false;  ///< whether it was detected
+  /// It explains the record nearly as well as the first one does, in place of it, not beside it.
+  bool alternative = false;
 };
 
 /// Verdict on levels against the joint of the records, or of all other tables where there are no

@@ -56,11 +56,11 @@ namespace microslip {
 /// constant normal load:
 ///   * `rate_dependent`  the force depends on the velocity;
 ///   * `asymmetric`      it differs between the two directions;
-///   * `dead_zone`       it is missing about zero;
+///   * `dead_zone`       it is missing about zero, or stiffens where a contact closes;
 ///   * `drifts`          it grows or falls over the record;
 ///   * `offset_drifts`   its zero drifts;
 ///   * `displacement_drifts`  the zero of the displacement drifts;
-///   * `not_masing`      branches of different ranges do not follow one curve;
+///   * `not_masing`      branches do not follow one curve;
 /// and of each table of levels that is of another joint than all other evidence:
 ///   * `levels_contradict`  D differs, by more than four times the noise and 3 %;
 ///   * `secant_differs`     k_eq differs, by more than four times the noise and 1 %.

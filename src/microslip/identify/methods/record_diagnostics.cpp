@@ -35,8 +35,10 @@ DepartureText text_of(RecordDeparture departure) {
               "Look for a contact that opens, or an eccentric load; no symmetric joint has such "
               "loops."};
     case RecordDeparture::kDeadZone:
-      return {"is missing about zero: backlash or pinching",
-              "Take up the play, or measure the displacement behind it."};
+      return {
+          "is missing about zero or stiffens where a contact closes: backlash, pinching or "
+          "bearing",
+          "Take up the play, or measure the displacement behind it."};
     case RecordDeparture::kDrift:
       return {"grows or falls over the record: wear, temperature or a changing load",
               "Identify its parts separately, or run the joint in first."};
@@ -55,8 +57,10 @@ DepartureText text_of(RecordDeparture departure) {
     case RecordDeparture::kRange:
       break;
   }
-  return {"has branches of different ranges that do not follow one curve",
-          "Identify from motions of one amplitude separately."};
+  return {
+      "has branches that do not follow one curve: unloading is not twice the first loading, or "
+      "the shape changes with the amplitude",
+      "Identify from motions of one amplitude separately."};
 }
 
 Warning contradiction(const std::string& name, std::string_view what, const LevelVerdict& verdict) {
@@ -115,11 +119,16 @@ std::vector<Warning> diagnose(const RecordInversionResult& result, const JointEv
       const DepartureText text = text_of(verdict.departure);
       const std::string which =
           result.records.size() > 1 ? evidence.name_of_record(r) + ": " : std::string();
-      warnings.push_back({std::string(to_string(verdict.departure)),
-                          fmt::format("{}not a Masing joint under constant normal load: {} of the "
-                                      "force {}, where noise would give {}. {}",
-                                      which, percent_text(verdict.share), text.what,
-                                      percent_text(verdict.noise), text.remedy)});
+      const std::string what =
+          fmt::format("{} of the force {}, where noise would give {}", percent_text(verdict.share),
+                      text.what, percent_text(verdict.noise));
+      warnings.push_back(
+          {std::string(to_string(verdict.departure)),
+           verdict.alternative
+               ? fmt::format("{}or, as the record shows no difference to the above: {}. {}", which,
+                             what, text.remedy)
+               : fmt::format("{}not a Masing joint under constant normal load: {}. {}", which, what,
+                             text.remedy)});
     }
   }
   warn_of_no_slip(result, warnings);

@@ -17,7 +17,15 @@ void raise(std::vector<double>& powers) {
   for (std::size_t i = 0; i < powers.size(); ++i) powers[i] *= static_cast<double>(i) / last;
 }
 
-/// Means of the samples of each row.
+/// The force of a joint along a path from its first sample, where the joint is virgin, N.
+std::vector<double> force_along(const Joint& joint, std::vector<double> path) {
+  Memory memory(joint);
+  memory.march(path, path);
+  return path;
+}
+
+}  // namespace
+
 Eigen::VectorXd means_of_rows(const std::vector<PathRow>& rows, const std::vector<double>& values) {
   Eigen::VectorXd means(static_cast<Eigen::Index>(rows.size()));
   for (Eigen::Index r = 0; r < means.size(); ++r) {
@@ -28,15 +36,6 @@ Eigen::VectorXd means_of_rows(const std::vector<PathRow>& rows, const std::vecto
   }
   return means;
 }
-
-/// The force of a joint along a path from its first sample, where the joint is virgin, N.
-std::vector<double> force_along(const Joint& joint, std::vector<double> path) {
-  Memory memory(joint);
-  memory.march(path, path);
-  return path;
-}
-
-}  // namespace
 
 Eigen::MatrixXd force_drift_rows(const SettledRecords& settled, std::size_t record,
                                  Eigen::Index terms) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "microslip/algebra/core.hpp"
 #include "microslip/identify/records/record_settling.hpp"
@@ -11,6 +12,10 @@
 /// out of the installed headers.
 
 namespace microslip {
+
+/// Means of the samples of each row. @param values  one per sample of the record.
+[[nodiscard]] Eigen::VectorXd means_of_rows(const std::vector<PathRow>& rows,
+                                            const std::vector<double>& values);
 
 /// Change of the force of each row with each coefficient of SensorDrift::force, both over k₀X: the
 /// mean of τ^p, p = 1 to `terms`.

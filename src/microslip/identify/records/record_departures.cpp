@@ -3,145 +3,76 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
-#include <utility>
 
-#include "microslip/identify/records/drift_rows.hpp"
-#include "microslip/identify/records/joined_columns.hpp"
+#include "microslip/identify/records/departure_columns.hpp"
+#include "microslip/identify/records/departure_fit.hpp"
 #include "microslip/identify/records/steady_turns.hpp"
+#include "microslip/observe/neighbour_scatter.hpp"
 
 namespace microslip {
 namespace {
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// A departure is detected where it explains more of the force than so many times the noise would,
 constexpr double kOverNoise = 5.0;
 /// and more than this share of it: paths are not known better.
 constexpr double kLeastDeparture = 4e-3;
+/// What is left below this share of the force is not compared further.
+constexpr double kLeastLeft = 3e-4;
 
 /// Columns describe a small departure; the residual of a large one looks like others. So another
 /// counts in addition only where it explains so much of what the first does.
-constexpr double kBesideAnother = 0.25;
+constexpr double kBesideAnother = 1.0 / 3.0;
+
+/// Rows that are worth as much as independent ones, of residuals that are no noise: so many that a
+/// coefficient more must explain 5 % of the square of what is left.
+constexpr double kRowsOfModel = 100.0;
+
+/// One that leaves at most so many times what the best does, and explains at least this share of
+/// what that does, explains the record as well: two mechanisms may act alike on one motion.
+constexpr double kLeavesAsLittle = 1.15;
+constexpr double kExplainsAsMuch = 0.8;
 
 /// A record is of another joint where taking it with others costs it more of its force than this.
 constexpr double kLeastContradiction = 3e-2;
 
-/// Terms of a drift of the displacement, and its size over the largest half range.
-constexpr Index kDriftTerms = 2;
-constexpr double kDriftSize = 0.02;
-
-/// The rows of a record as the departures see them, each of largest absolute value 1.
-struct RowSignals {
-  VectorXd force;  // of the joint that was found
-  VectorXd velocity;
-  VectorXd time;                // from −1 to 1
-  VectorXd work;                // dissipated by the joint, from −1 to 1
-  VectorXd range;               // of the stretch from the last turn over the largest
-  MatrixXd displacement_drift;  // of the joint, to a drift of its path
-};
-
-VectorXd normalised(VectorXd values) {
-  const double largest = values.cwiseAbs().maxCoeff();
-  return largest > 0.0 ? VectorXd(values / largest) : values;
-}
-
-/// Scales values to −1 to 1.
-VectorXd from_end_to_end(VectorXd values) {
-  const double low = values.minCoeff();
-  const double width = values.maxCoeff() - low;
-  if (width > 0.0) values = (2.0 / width * (values.array() - low) - 1.0).matrix();
-  return values;
-}
-
-RowSignals signals_of(const SettledRecords& settled, const RecordEvidence& record, std::size_t r) {
-  const std::vector<PathRow>& rows = record.rows().rows;
-  const auto n = static_cast<Index>(rows.size());
-  RowSignals all;
-  all.force = normalised(settled.model.found(r, settled.best.solution.x));
-  all.velocity.resize(n);
-  all.time.resize(n);
-  all.work.resize(n);
-  all.range.resize(n);
-  double work = 0.0;
-  for (Index i = 0; i < n; ++i) {
-    const PathRow& row = rows[static_cast<std::size_t>(i)];
-    all.velocity(i) = row.velocity;
-    all.time(i) = static_cast<double>(row.first) + 0.5 * static_cast<double>(row.count);
-    if (i > 0) {
-      const PathRow& before = rows[static_cast<std::size_t>(i) - 1];
-      work += 0.5 * (all.force(i) + all.force(i - 1)) * (row.displacement - before.displacement);
-    }
-    all.work(i) = work;
-    all.range(i) = row.last.half_range / record.rows().reach;
-  }
-  all.velocity = normalised(all.velocity);
-  all.displacement_drift = displacement_drift_rows(settled, r, kDriftTerms, kDriftSize);
-  all.time = from_end_to_end(all.time);
-  all.work = from_end_to_end(all.work);
-  return all;
-}
-
-MatrixXd columns_of(RecordDeparture departure, const RowSignals& of) {
-  const auto g = of.force.array();
-  MatrixXd columns;
-  switch (departure) {
-    case RecordDeparture::kRate:
-      columns = of.velocity;
-      break;
-    case RecordDeparture::kAsymmetry:
-      columns.resize(g.size(), 2);
-      columns << g.abs().matrix(), g.square().matrix();
-      break;
-    case RecordDeparture::kDeadZone: {
-      constexpr double kWidth = 0.1;
-      columns.resize(g.size(), 2);
-      columns << (g / kWidth).tanh().matrix(),
-          (of.velocity.array().sign() * (-(g / kWidth).square()).exp()).matrix();
-      break;
-    }
-    case RecordDeparture::kDrift:
-      columns.resize(g.size(), 2);
-      columns << of.time.cwiseProduct(of.force), of.work.cwiseProduct(of.force);
-      break;
-    case RecordDeparture::kOffset:
-      columns.resize(g.size(), 2);
-      columns << of.time, of.time.cwiseAbs2();
-      break;
-    case RecordDeparture::kRange:
-      columns = of.velocity.array().sign() * of.range.array().square();
-      break;
-    case RecordDeparture::kDisplacementDrift:
-      columns = of.displacement_drift;
-      break;
-    case RecordDeparture::kOther:  // no column: against_others()
-      break;
-  }
-  return columns;
-}
-
+/// A departure in its best form.
 struct Judged {
   RecordVerdict verdict;
-  MatrixXd columns;  // among the rows of all
-  double gain = 0.0;
+  std::size_t form = 0;
+  double score = std::numeric_limits<double>::infinity();  ///< the least is the best
 };
 
-Judged judge(const SettledRecords& settled, std::size_t record, RecordDeparture departure,
-             const RowSignals& signals, const JoinedColumns& joined) {
+/// Bayesian information criterion of what is left.
+double score_of(double left, double freedom) {
+  return 2.0 * kRowsOfModel * std::log(std::max(left, kLeastLeft)) +
+         freedom * std::log(kRowsOfModel);
+}
+
+/// A departure with its forms.
+struct Sought {
+  RecordDeparture departure;
+  std::vector<DepartureColumns> forms;
+};
+
+Judged judge(const Sought& sought, const DepartureFit& fit) {
   Judged judged;
-  MatrixXd columns = columns_of(departure, signals);
-  judged.columns = columns_among_all(settled, record, columns);
-  const JoinedColumns::Explained explained = joined.explain(judged.columns);
-  settled.model.centre(record, columns);
-  const double force = settled.model.force_norm(record);
-  judged.gain = explained.gain;
-  RecordVerdict& verdict = judged.verdict;
-  verdict.departure = departure;
-  verdict.share = (columns * explained.coefficients).norm() / force;
-  verdict.noise = std::sqrt((columns.transpose() * columns * explained.covariance).trace()) / force;
-  verdict.broken = verdict.share > std::max(kOverNoise * verdict.noise, kLeastDeparture);
+  judged.verdict.departure = sought.departure;
+  const double before = fit.without().share;
+  for (std::size_t f = 0; f < sought.forms.size(); ++f) {
+    const double freedom = sought.forms[f].freedom;
+    const DepartureFit::Left left = fit.with(sought.forms[f]);
+    const double score = score_of(left.share, freedom);
+    if (score >= judged.score) continue;
+    judged.form = f;
+    judged.score = score;
+    judged.verdict.share = std::sqrt(std::max(0.0, before * before - left.share * left.share));
+    judged.verdict.noise = left.noise * std::sqrt(freedom);
+  }
+  judged.verdict.broken =
+      judged.verdict.share > std::max(kOverNoise * judged.verdict.noise, kLeastDeparture);
   return judged;
 }
 
@@ -173,37 +104,82 @@ bool changes_over_time(RecordDeparture departure) {
   return departure == RecordDeparture::kDrift || departure == RecordDeparture::kOffset;
 }
 
-/// The detected departures that have columns; the largest first.
+/// Scatter of the force of a sample, N. What a joint leaves is more where there is a departure.
+double scatter_of_samples(const ForceRecord& measured) {
+  std::vector<double> number(measured.size());
+  std::iota(number.begin(), number.end(), 0.0);
+  return scatter_about_neighbours(number, measured.force);
+}
+
+/// The departures with a form, but for those that a record which repeats itself cannot have.
+std::vector<Sought> sought_in(const SettledRecords& settled, const ScaledRecords& records,
+                              std::size_t record) {
+  const std::optional<TurnTrend> trend =
+      turn_trend(records.records[record], scatter_of_samples(records.records[record].measured()));
+  const bool steady = trend && trend->steady();
+  const RecordSignals signals(settled, record);
+  std::vector<Sought> all;
+  for (const RecordDeparture departure : kRecordDepartures) {
+    if (departure == RecordDeparture::kOther) continue;
+    const bool possible = !(steady && changes_over_time(departure));
+    all.push_back(
+        {departure, possible ? forms_of(departure, signals) : std::vector<DepartureColumns>()});
+  }
+  return all;
+}
+
+/// Departures that were not found beside the first, but explain the record as well instead of it,
+/// come behind it.
+void add_alternatives(const std::vector<Judged>& alone, std::vector<RecordVerdict>& verdicts) {
+  const RecordDeparture first = verdicts.front().departure;
+  const auto best =
+      std::ranges::find(alone, first, [](const Judged& one) { return one.verdict.departure; });
+  const double most = best->score + 2.0 * kRowsOfModel * std::log(kLeavesAsLittle);
+  const double least = kExplainsAsMuch * best->verdict.share;
+  auto place = verdicts.begin() + 1;
+  for (const Judged& one : alone) {
+    if (&one == &*best || !one.verdict.broken) continue;
+    if (one.score > most || one.verdict.share < least) continue;
+    const auto found =
+        std::ranges::find(place, verdicts.end(), one.verdict.departure, &RecordVerdict::departure);
+    if (found == verdicts.end() || found->broken) continue;
+    *found = one.verdict;
+    found->alternative = true;
+    std::rotate(place, found, found + 1);
+    ++place;
+  }
+}
+
+/// The detected departures that have columns; the one that explains most first.
 std::vector<RecordVerdict> departures_of(const SettledRecords& settled,
                                          const ScaledRecords& records, std::size_t record) {
-  const RowSignals signals = signals_of(settled, records.records[record], record);
-  JoinedColumns joined(settled);
+  DepartureFit fit(settled, record);
+  std::vector<Sought> open = sought_in(settled, records, record);
   std::vector<RecordVerdict> verdicts;
-  std::vector<RecordDeparture> open(kRecordDepartures.begin(), kRecordDepartures.end() - 1);
-  const std::optional<TurnTrend> trend =
-      turn_trend(records.records[record],
-                 settled.settings.scatter[record] * records.stiffness * records.length);
-  const bool steady = trend && trend->steady();
+  std::vector<Judged> alone;
   double least = 0.0;
   while (!open.empty()) {
     std::vector<Judged> judged;
-    for (const RecordDeparture departure : open) {
-      judged.push_back(judge(settled, record, departure, signals, joined));
+    for (const Sought& one : open) {
+      judged.push_back(judge(one, fit));
       RecordVerdict& verdict = judged.back().verdict;
-      verdict.broken =
-          verdict.broken && verdict.share > least && !(steady && changes_over_time(departure));
+      verdict.broken = verdict.broken && verdict.share > least;
     }
-    const auto most = std::ranges::max_element(
-        judged, {}, [](const Judged& one) { return one.verdict.broken ? one.gain : 0.0; });
+    const auto most = std::ranges::min_element(judged, {}, [](const Judged& one) {
+      return one.verdict.broken ? one.score : std::numeric_limits<double>::infinity();
+    });
+    if (alone.empty()) alone = judged;
     if (!most->verdict.broken) {
       for (const Judged& one : judged) verdicts.push_back(one.verdict);
       break;
     }
     verdicts.push_back(most->verdict);
     least = std::max(least, kBesideAnother * most->verdict.share);
-    joined.add(most->columns);
-    open.erase(open.begin() + (most - judged.begin()));
+    const auto chosen = open.begin() + (most - judged.begin());
+    fit.add(chosen->forms[most->form]);
+    open.erase(chosen);
   }
+  if (verdicts.front().broken) add_alternatives(alone, verdicts);
   return verdicts;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/identify/records/record_start.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "microslip/identify/records/drift_fit.hpp"
 #include "microslip/identify/records/record_settling.hpp"
 
 namespace microslip {
@@ -72,9 +74,19 @@ RecordStart shown_start(const RecordEvidence& evidence) {
   if (unknown.rows().rows.size() < kFewestRows) return {PathStart::kVirgin, false, 0.0};
   const double scatter = left_of(unknown).scatter;
   const std::vector<bool> known = samples_in(unknown.rows(), evidence.measured().size());
-  const double over = misfit(left_of(virgin), scatter, virgin.rows(),
-                             [&](const PathRow& row) { return !known[row.first]; });
-  return {over > kMostMisfit ? PathStart::kUnknown : PathStart::kVirgin, true, over};
+  const auto early_misfit = [&](const RecordEvidence& assumed) {
+    return misfit(left_of(assumed), scatter, assumed.rows(),
+                  [&](const PathRow& row) { return !known[row.first]; });
+  };
+  const double over = early_misfit(virgin);
+  if (over <= kMostMisfit) return {PathStart::kVirgin, true, over};
+  // Offsets of an unknown state hide a drift, and a virgin joint misses one.
+  const SensorDrift drift = fit_drift(virgin, {}, {.coefficients = kCoefficients}).drift;
+  if (drift.force.empty() && drift.displacement.empty()) return {PathStart::kUnknown, true, over};
+  const RecordEvidence corrected(without_drift(virgin.measured(), drift), PathStart::kVirgin);
+  const double beside = early_misfit(corrected);
+  return {beside <= kMostMisfit ? PathStart::kVirgin : PathStart::kUnknown, true,
+          std::min(over, beside)};
 }
 
 }  // namespace microslip

@@ -15,6 +15,8 @@ namespace {
 /// those of steady cycles.
 constexpr double kSteady = 5e-3;
 constexpr double kSteadyDeviations = 3.0;
+/// Noise that would hide a change of this share shows no steady cycles, either.
+constexpr double kHidden = 0.02;
 /// Turns are alike within this share of the range of the path.
 constexpr double kAlikeTurns = 0.02;
 /// They show a trend where this share of all turns has others that are alike.
@@ -74,7 +76,10 @@ std::vector<std::vector<TurnForce>> alike(std::vector<TurnForce> turns, double T
 
 }  // namespace
 
-bool TurnTrend::steady() const { return change <= std::max(kSteady, kSteadyDeviations * noise); }
+bool TurnTrend::steady() const {
+  const double most = std::max(kSteady, kSteadyDeviations * noise);
+  return most <= kHidden && change <= most;
+}
 
 std::optional<TurnTrend> turn_trend(const RecordEvidence& evidence, double scatter) {
   const std::vector<double>& path = evidence.path().displacement;

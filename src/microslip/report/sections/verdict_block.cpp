@@ -26,7 +26,7 @@ std::string departure_text(const std::string& code) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kTexts = {{
       {"rate_dependent", "rate: force follows velocity"},
       {"asymmetric", "asymmetry: sides differ"},
-      {"dead_zone", "dead zone: no force about 0"},
+      {"dead_zone", "dead zone: play, pinching or bearing"},
       {"drifts", "drift: force grows or falls"},
       {"offset_drifts", "offset: zero moves"},
       {"displacement_drifts", "displacement: zero moves"},

@@ -49,6 +49,21 @@ std::string describe_offset(const Identification& found) {
                   secant.offset > 0.0 ? "below" : "above", percent_text(secant.offset_std / k)));
 }
 
+/// Departures found in a record: alternatives are behind the one that they may stand for.
+std::vector<std::string> failed_in(const RecordFit& record) {
+  std::vector<std::string> texts;
+  for (const RecordVerdict& verdict : record.verdicts) {
+    if (!verdict.broken) continue;
+    const std::string code(to_string(verdict.departure));
+    if (verdict.alternative && !texts.empty()) {
+      texts.back() += " or " + code;
+    } else {
+      texts.push_back(code);
+    }
+  }
+  return texts;
+}
+
 /// Failed assumptions, before anything on the density.
 std::string describe_broken(const Identification& found) {
   std::vector<std::string> codes;
@@ -60,9 +75,7 @@ std::string describe_broken(const Identification& found) {
   }
   if (found.records()) {
     for (const RecordFit& record : found.records()->records) {
-      for (const RecordVerdict& verdict : record.verdicts) {
-        if (verdict.broken) add(to_string(verdict.departure));
-      }
+      for (const std::string& text : failed_in(record)) add(text);
     }
   }
   if (codes.empty()) return {};
