@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <string>
 
@@ -111,58 +110,76 @@ LevelDepartureVerdict order_of(const Directions& of, const std::vector<double>& 
   LevelDepartureVerdict verdict{.departure = LevelDeparture::kOrder, .quantity = quantity};
   // ±1: the difference of the two is twice the coefficient.
   verdict.share = 2.0 * rms * (own * solution.tail(2)).norm();
-  verdict.noise =
+  const double scatter =
       2.0 * rms * std::sqrt((own.transpose() * own * covariance.bottomRightCorner(2, 2)).trace());
-  verdict.broken = verdict.share > std::max(kLeastOrder, kOverScatter * verdict.noise);
+  verdict.noise = std::max(kLeastOrder, kOverScatter * scatter);
+  verdict.broken = verdict.share > verdict.noise;
   return verdict;
 }
 
-bool has_any(const std::vector<Warning>& warnings, std::initializer_list<std::string_view> codes) {
-  return std::ranges::any_of(warnings, [&](const Warning& warning) {
-    return std::ranges::find(codes, std::string_view(warning.code)) != codes.end();
-  });
+LevelDepartureVerdict verdict_of(LevelDeparture departure, const MasingTest& test,
+                                 std::string_view quantity) {
+  return {.departure = departure,
+          .share = test.share,
+          .noise = test.noise,
+          .broken = test.failed(),
+          .quantity = quantity,
+          .test = test};
 }
 
-/// Deviation of k_eq from that of the joint without their means, over k, weighted by 1/σ²; nothing
-/// where σ would hide any.
-std::optional<LevelDepartureVerdict> judge_secant(const LevelEvidence& levels, const Joint& joint,
-                                                  const SecantEvidence& evidence,
-                                                  const std::vector<Warning>& warnings) {
-  const double k = joint.stiffness();
-  const LevelRows predicted = levels.predict(joint);
-  const LevelRows sigma = levels.deviations({.value = predicted}, levels.expected_scatter(k));
-  double square = 0.0;
-  double weights = 0.0;
-  const std::size_t n = predicted.secant_stiffness.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double weight = std::pow(k / sigma.secant_stiffness[i], 2);
-    const double left =
-        levels.levels().secant_stiffness[i] - predicted.secant_stiffness[i] - evidence.offset;
-    square += weight * std::pow(left / k, 2);
-    weights += weight;
-  }
-  const double noise = std::sqrt(static_cast<double>(n) / weights);
-  const bool broken = has_any(warnings, {"secant_misfit", "secant_contradicts"});
-  if (!broken && noise > kHidden) return std::nullopt;
-  return LevelDepartureVerdict{.departure = LevelDeparture::kSecant,
-                               .share = std::sqrt(square / weights),
-                               .noise = noise,
-                               .broken = broken,
-                               .quantity = "k_eq"};
+/// Nothing where σ would hide any departure.
+std::optional<LevelDepartureVerdict> judge_secant(const LevelEvidence& levels, double stiffness,
+                                                  bool linear_damping) {
+  const std::optional<MasingTest> test = test_secant(levels, stiffness, linear_damping);
+  if (!test || (!test->failed() && test->noise > kHidden)) return std::nullopt;
+  return verdict_of(LevelDeparture::kSecant, *test, "k_eq");
 }
 
-LevelDepartureVerdict judge_frequency(const Levels& levels, const FrequencyEvidence& evidence,
-                                      const std::vector<Warning>& warnings) {
-  double noise = 0.0;
-  for (std::size_t i = 0; i < levels.frequency_std.size(); ++i) {
-    noise = std::max(noise, levels.frequency_std[i] / levels.frequency[i]);
+/// The worst of a rise, a fall and a step: by how much each exceeds its limit.
+LevelDepartureVerdict judge_frequency(const LevelEvidence& levels, double stiffness,
+                                      bool linear_damping, const FrequencyEvidence& evidence) {
+  const auto excess = [](const FrequencyChange& change) { return change.beyond / change.limit; };
+  const FrequencyChange& worst =
+      excess(evidence.rise) > excess(evidence.fall) ? evidence.rise : evidence.fall;
+  const std::optional<MasingTest> test = test_frequency(levels, stiffness, linear_damping);
+  if (test && test->failed() && !evidence.rise.significant && !evidence.fall.significant) {
+    return verdict_of(LevelDeparture::kFrequency, *test, "frequency");
   }
-  const double unexplained = evidence.fall.explained - evidence.fall.change;
   return {.departure = LevelDeparture::kFrequency,
-          .share = std::max({0.0, evidence.rise.change, unexplained}),
-          .noise = noise,
-          .broken = has_any(warnings, {"frequency_rises", "softening_unexplained"}),
+          .share = worst.beyond,
+          .noise = worst.limit,
+          .broken = evidence.rise.significant || evidence.fall.significant,
           .quantity = "frequency"};
+}
+
+std::string remedy_of(LevelCause cause) {
+  switch (cause) {
+    case LevelCause::kStep:
+      return "Identify the levels on either side separately, or measure all under one load.";
+    case LevelCause::kTrend:
+    case LevelCause::kOrder:
+      return "Measure under one load: check the bolts, wear and temperature by repeating the first "
+             "levels at the end.";
+    case LevelCause::kLinearDamping:
+      return "Subtract the damping of the structure, or identify it with the joint (linear "
+             "damping).";
+    case LevelCause::kLossFactor:
+      return "Check gains and units of D and k_eq, and the loss factor that was subtracted.";
+    case LevelCause::kUnknown:
+      break;
+  }
+  return "Check the levels for backlash, another session and a changed load; if D or k_eq is less "
+         "accurate than that, give dissipation_std and secant_stiffness_std, or leave k_eq out.";
+}
+
+Warning warning_of(const LevelDepartureVerdict& verdict) {
+  const bool secant = verdict.departure == LevelDeparture::kSecant;
+  const std::string_view name = secant ? "k_eq" : "the frequency";
+  return {secant ? "secant_contradicts" : "frequency_steps",
+          fmt::format("not one Masing joint under constant normal load: the best joint misses {} "
+                      "with D by {} (rms), where noise gives {} at most, {}. {}",
+                      name, percent_text(verdict.share), percent_text(verdict.noise),
+                      cause_text(*verdict.test, name), remedy_of(verdict.test->cause))};
 }
 
 }  // namespace
@@ -215,17 +232,18 @@ std::optional<LevelDepartureVerdict> judge_order(const LevelEvidence& levels, co
 }
 
 std::vector<LevelDepartureVerdict> judge_levels(const LevelEvidence& levels, const Joint& joint,
-                                                double linear_damping,
-                                                const StiffnessEvidence& evidence,
-                                                const std::vector<Warning>& warnings) {
+                                                std::optional<double> linear_damping,
+                                                const StiffnessEvidence& evidence) {
+  const double k = joint.stiffness();
   std::vector<LevelDepartureVerdict> verdicts;
-  if (const auto order = judge_order(levels, joint, linear_damping)) verdicts.push_back(*order);
-  if (evidence.secant) {
-    const auto secant = judge_secant(levels, joint, *evidence.secant, warnings);
-    if (secant) verdicts.push_back(*secant);
+  if (const auto order = judge_order(levels, joint, linear_damping.value_or(0.0))) {
+    verdicts.push_back(*order);
+  }
+  if (const auto secant = judge_secant(levels, k, linear_damping.has_value())) {
+    verdicts.push_back(*secant);
   }
   if (evidence.frequency) {
-    verdicts.push_back(judge_frequency(levels.measured(), *evidence.frequency, warnings));
+    verdicts.push_back(judge_frequency(levels, k, linear_damping.has_value(), *evidence.frequency));
   }
   return verdicts;
 }
@@ -233,12 +251,14 @@ std::vector<LevelDepartureVerdict> judge_levels(const LevelEvidence& levels, con
 std::vector<Warning> diagnose(const std::vector<LevelDepartureVerdict>& verdicts) {
   std::vector<Warning> warnings;
   for (const LevelDepartureVerdict& verdict : verdicts) {
-    if (!verdict.broken || verdict.departure != LevelDeparture::kOrder) continue;
+    if (!verdict.broken) continue;
+    if (verdict.test) warnings.push_back(warning_of(verdict));
+    if (verdict.departure != LevelDeparture::kOrder) continue;
     warnings.push_back(
         {std::string(to_string(verdict.departure)),
          fmt::format(
              "not a Masing joint under constant normal load: {} of rising levels deviates from "
-             "that of falling ones by {}, where noise would give {}. Wear, temperature or a "
+             "that of falling ones by {}, where noise gives {} at most. Wear, temperature or a "
              "changed load: identify each direction separately, or run the joint in first.",
              verdict.quantity, percent_text(verdict.share), percent_text(verdict.noise))});
   }

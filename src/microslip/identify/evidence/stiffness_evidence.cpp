@@ -94,14 +94,17 @@ struct Frequencies {
 /// The change between two levels, of which so much of ln f is beyond its deviations.
 FrequencyChange change_between(const Frequencies& levels, std::size_t from, std::size_t to,
                                double excess) {
-  const double limit = levels.known ? kMostChangeOfKnown : kMostChange;
+  const double limit = std::log1p(levels.known ? kMostChangeOfKnown : kMostChange);
+  const double margin = kSignificantChange * (levels.deviation[from] + levels.deviation[to]);
   return {.from = levels.amplitude[from],
           .to = levels.amplitude[to],
           .from_frequency = levels.frequency[from],
           .to_frequency = levels.frequency[to],
           .change = levels.frequency[to] / levels.frequency[from] - 1.0,
           .explained = std::expm1(levels.softening[to] - levels.softening[from]),
-          .significant = excess > std::log1p(limit)};
+          .beyond = from == to ? 0.0 : std::max(0.0, std::expm1(excess + margin)),
+          .limit = std::expm1(limit + margin),
+          .significant = excess > limit};
 }
 
 /// The pair of levels between which `value` rises most, its deviations subtracted.
@@ -296,8 +299,8 @@ std::vector<Warning> diagnose(const StiffnessEvidence& evidence, const Joint& jo
           {"secant_misfit",
            fmt::format("The secant stiffness varies with amplitude differently from that of the "
                        "joint: with their mean removed, the two differ by {:.1f} times the "
-                       "standard deviations given. The load changed between the levels, the "
-                       "standard deviations are too small, or it is not a Masing joint.",
+                       "standard deviations given. Another density may fit both; the load changed "
+                       "between the levels, or the standard deviations are too small.",
                        scatter)});
     }
   }

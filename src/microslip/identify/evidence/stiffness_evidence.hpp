@@ -41,7 +41,9 @@ struct FrequencyChange {
   double to_frequency = 0.0;    ///< Hz
   double change = 0.0;          ///< of the frequency, relative, 1
   double explained = 0.0;       ///< the most that a possible joint explains of it, 1
-  bool significant = false;     ///< beyond the given deviations, or steps of a drive
+  double beyond = 0.0;          ///< the part of it that is not explained, 1
+  double limit = 0.0;        ///< the most of that by the given deviations, or steps of a drive, 1
+  bool significant = false;  ///< whether `beyond` exceeds it
 };
 
 /// Frequencies of the levels against k_eq of a joint.

@@ -31,8 +31,6 @@ constexpr double kLargeScatter = 0.2;  // relative
 constexpr double kBendScore = -4.0;
 constexpr double kRepeatsDiffer = 4.0;         // times the scatter from amplitude to amplitude
 constexpr double kLeastDifference = 0.01;      // relative to D
-constexpr double kMissedDeviations = 2.0;      // where these are given
-constexpr std::size_t kFewestForCurve = 5;     // levels, to scatter about one
 constexpr double kLeastSlip = 0.01;            // area
 constexpr double kNarrowRange = 1.5;           // highest over lowest amplitude
 constexpr double kDampingRange = 2.0;          // the same, from which A² and A³ are distinguished
@@ -155,71 +153,6 @@ void diagnose_repeats(const MergedLevels& merged, std::vector<Warning>& warnings
            "the joint changed between the sessions. The bands count it as independent scatter, "
            "which it is not; identify each session separately and compare.",
            percent_text(*repeats), percent_text(*curve))});
-}
-
-/// How far a column is missed by the fit, rms over its deviations, and how far it scatters about a
-/// smooth curve.
-struct Missed {
-  double by = 0.0;
-  double scatter = 0.0;
-
-  /// How far beyond scatter that is, 1 being too far by itself.
-  /// @param least  what counts as missed, in deviations.
-  [[nodiscard]] double beyond(double least) const {
-    return by / std::max(least, kRepeatsDiffer * scatter);
-  }
-};
-
-Missed missed_of(const std::vector<double>& amplitude, const std::vector<double>& measured,
-                 const std::vector<double>& fitted, const std::vector<double>& sigma) {
-  std::vector<double> x;
-  double square = 0.0;
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    x.push_back(std::log(amplitude[i]));
-    square += std::pow((measured[i] - fitted[i]) / sigma[i], 2);
-  }
-  // The measured less the fitted values: what bends in both is no scatter.
-  std::vector<double> left;
-  for (std::size_t i = 0; i < measured.size(); ++i) left.push_back(measured[i] - fitted[i]);
-  return {std::sqrt(square / static_cast<double>(measured.size())),
-          scatter_about_curve(x, left, sigma)};
-}
-
-/// One density has to fit both: where each of them is smooth and one is missed, they contradict
-/// each other. What is missed at random is scatter.
-void diagnose_contradiction(const Inverted& inverted, std::vector<Warning>& warnings) {
-  const InversionResult& result = inverted.result;
-  const Levels& levels = inverted.levels();
-  if (result.fitted_secant_stiffness.empty() || levels.size() < kFewestForCurve) return;
-  const bool d_given = inverted.evidence.dissipation_std_given();
-  const bool k_given = inverted.evidence.secant_std_given();
-  const double k = inverted.stiffness;
-  LevelPrediction fit;
-  fit.value = {result.fitted_dissipation, result.fitted_secant_stiffness};
-  const LevelRows sigma = inverted.evidence.deviations(fit);
-  const Missed d =
-      missed_of(levels.amplitude, levels.dissipation, result.fitted_dissipation, sigma.dissipation);
-  const Missed soft = missed_of(levels.amplitude, levels.secant_stiffness,
-                                result.fitted_secant_stiffness, sigma.secant_stiffness);
-  const double beyond = std::hypot(d.beyond(d_given ? kMissedDeviations : kLeastDifference),
-                                   soft.beyond(k_given ? kMissedDeviations : kLeastDifference * k));
-  if (beyond <= 1.0) return;
-  const auto text_of = [](double value, bool given, double unit) {
-    return given ? fmt::format("{:.1f} standard deviations", value) : percent_text(value / unit);
-  };
-  warnings.push_back(
-      {"secant_contradicts",
-       fmt::format("The density that fits both D and the secant stiffnesses misses D by {} and "
-                   "k_eq by {}{}, though they scatter by {} and {} only: k_eq does not soften as D "
-                   "requires. {}",
-                   text_of(d.by, d_given, 1.0), text_of(soft.by, k_given, k),
-                   k_given ? "" : " of k", text_of(d.scatter, d_given, 1.0),
-                   text_of(soft.scatter, k_given, k),
-                   k_given ? "If their standard deviations are right, it is not a Masing joint "
-                             "under constant normal load."
-                           : fmt::format("Give secant_stiffness_std if k_eq is less accurate than "
-                                         "{} of k, or leave it out.",
-                                         percent_text(LevelEvidence::kLeastSecantScatter)))});
 }
 
 /// An error of k moves all k_eq alike, and the resonances with them.
@@ -455,7 +388,6 @@ std::vector<Warning> diagnose(const InversionResult& result, const LevelEvidence
   }
   diagnose_stiffness(result, stiffness, warnings);
   diagnose_scatter(result, warnings);
-  diagnose_contradiction(inverted, warnings);
   diagnose_ends(inverted, warnings);
   if (result.inner_not_converged > 0) {
     warnings.push_back(

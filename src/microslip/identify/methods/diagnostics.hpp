@@ -29,8 +29,6 @@ namespace microslip {
 ///                               [AR14 Fig. B1];
 ///   * `data_not_convex`         three neighbouring levels make D concave, beyond their scatter;
 ///   * `stiffness_inconsistent`  the area would exceed 1: more stiffness slips than k has;
-///   * `secant_contradicts`      k_eq, of unknown deviation, bends the fit off a D that is smooth
-///                               by itself;
 ///   * `secant_inconsistent`     measured secant stiffnesses contradict D and k, see
 ///                               stiffness_evidence.hpp;
 ///   * `stiffness_unchecked`     less than 1 % of k slips, and no secant stiffness verifies k;

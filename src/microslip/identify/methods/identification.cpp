@@ -154,10 +154,6 @@ void replace_by_fit(const LevelEvidence& levels, double stiffness,
   found.parametric = std::move(fit);
 }
 
-bool has_code(const std::vector<Warning>& warnings, std::string_view code) {
-  return std::ranges::find(warnings, code, &Warning::code) != warnings.end();
-}
-
 /// Judges the stiffness of the final joint, whatever the inversion found for its own.
 void judge_stiffness(const LevelEvidence& levels, Identification& found) {
   const InversionResult* inversion = found.parametric ? nullptr : found.inversion();
@@ -169,10 +165,9 @@ void judge_stiffness(const LevelEvidence& levels, Identification& found) {
   }
   found.stiffness = stiffness_evidence(levels, found.joint, softest);
   std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
-  const bool reported =
-      inversion && inversion->secant_scatter && has_code(found.warnings, "scatter_large");
   for (Warning& warning : diagnose(found.stiffness, found.joint)) {
-    if (reported && warning.code == "secant_misfit") continue;
+    // Smoothing may keep the joint of an inversion from k_eq: verdicts are of any joint.
+    if (inversion && warning.code == "secant_misfit") continue;
     found.warnings.push_back(std::move(warning));
   }
 }
@@ -265,8 +260,7 @@ Identification identify(const LevelEvidence& evidence, double stiffness,
                                   : by_method(evidence, stiffness, options);
   if (options.fit) replace_by_fit(evidence, stiffness, options, found);
   judge_stiffness(evidence, found);
-  found.verdicts = judge_levels(evidence, found.joint, found.linear_damping.value_or(0.0),
-                                found.stiffness, found.warnings);
+  found.verdicts = judge_levels(evidence, found.joint, found.linear_damping, found.stiffness);
   append(found.warnings, diagnose(found.verdicts));
   append(warnings, std::move(found.warnings));
   found.warnings = std::move(warnings);

@@ -83,12 +83,12 @@ std::string describe_broken(const Identification& found) {
          line("", "what follows is the closest Masing joint; see the warnings");
 }
 
-/// Tests of the assumptions for levels, each with its number and the effect of noise.
+/// Tests of the assumptions for levels, each with its number and the most that noise gives.
 std::string describe_verdicts(const Identification& found) {
   std::string text;
   for (const LevelDepartureVerdict& verdict : found.verdicts) {
     text += line(text.empty() ? "tested" : "",
-                 fmt::format("{}: {} of {}, noise {}, {}", to_string(verdict.departure),
+                 fmt::format("{}: {} of {}, noise {} at most, {}", to_string(verdict.departure),
                              percent_text(verdict.share), verdict.quantity,
                              percent_text(verdict.noise), verdict.broken ? "failed" : "passed"));
   }

@@ -48,7 +48,7 @@ class Verdict(NamedTuple):
 
     departure: str  #: code of the departure sought, for instance ``order_matters``
     share: float  #: size of the departure over D, k_eq or the frequency, 1
-    noise: float  #: the share that noise alone would make, 1
+    noise: float  #: the share that noise alone would make, of levels at most, 1
     broken: bool  #: whether the check failed
 
 
