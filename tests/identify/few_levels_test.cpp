@@ -18,6 +18,7 @@
 #include "microslip/identify/inversion/inverted_joint.hpp"
 #include "microslip/identify/inversion/possible_joints.hpp"
 #include "microslip/identify/methods/identification.hpp"
+#include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/joint/dissipation.hpp"
 #include "microslip/joint/secant.hpp"
 #include "microslip/observe/level_evidence.hpp"
@@ -276,6 +277,53 @@ TEST(FewLevels, WithNoiseThatHidesAllHaveNoVerdict) {
   levels.secant_stiffness_std.assign(12, 4.8 * kStiffness);
   const Identification none = identify(LevelEvidence(levels), kStiffness);
   EXPECT_EQ(verdict_of(none, LevelDeparture::kSecant), nullptr);
+}
+
+// What of D is linear damping, and what slips below the lowest level, D of few levels hardly
+// determines: both are in the bands of D and k_eq, and so is the estimate. 0.42 of the band of k_eq
+// held the truth while draws of a chain alone made it, and none of a population that ends.
+TEST(FewLevels, LeaveTheSplitOfLinearDampingOpen) {
+  InversionOptions options;
+  options.linear_damping = true;
+  const std::vector<Sliders> all = joints();
+  for (const std::size_t j : {3U, 8U, 9U, 11U}) {
+    const Sliders& truth = all[j];
+    Levels levels = levels_of(truth, 8, 1, {.dissipation_std = false});
+    const double beta = 0.1 * truth.dissipation(kLargest) / (kLargest * kLargest);
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      levels.dissipation[i] += beta * std::pow(levels.amplitude[i], 2);
+    }
+    const InversionResult found = invert(LevelEvidence(levels), kStiffness, options);
+    const std::vector<DensitySample> samples = found.posterior.samples(1, 400);
+    int inside = 0;
+    constexpr int kPlaces = 10;
+    for (int i = 0; i < kPlaces; ++i) {
+      const double a =
+          levels.amplitude.front() + (kLargest - levels.amplitude.front()) * (i + 0.5) / kPlaces;
+      std::vector<double> secant;
+      for (const Joint& joint : drawn_joints(found, samples, kStiffness)) {
+        secant.push_back(microslip::secant_stiffness(joint, a));
+      }
+      const auto [lower, upper] = quantile_pair(secant, 0.95);
+      const double estimate = microslip::secant_stiffness(joint_of(found, kStiffness), a);
+      EXPECT_GE(estimate, lower) << truth.name();
+      EXPECT_LE(estimate, upper) << truth.name();
+      const double expected = truth.secant_stiffness(a);
+      inside += lower <= expected && expected <= upper ? 1 : 0;
+    }
+    EXPECT_GE(inside, 9) << truth.name();
+  }
+}
+
+// D that begins just above the lowest level: the projection of some draws failed, and these had an
+// area above 1.
+TEST(FewLevels, HaveNoDrawBeyondTheStiffness) {
+  const Levels levels{.amplitude = {7.4053841e-06, 1.3996573e-05, 2.6454275e-05, 5e-05},
+                      .dissipation = {2.1632979e-05, 0.0014016975, 0.0063776313, 0.037376818}};
+  const InversionResult found = invert(LevelEvidence(levels), 2e7);
+  for (const DensitySample& sample : found.posterior.samples(1, 400)) {
+    ASSERT_LE(sample.area, 1.0 + 1e-12);
+  }
 }
 
 // Of the joints that the levels leave possible it softens most: more than the estimate, still with

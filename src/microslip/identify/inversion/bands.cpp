@@ -59,9 +59,18 @@ DensityBands density_bands(const InversionResult& result, std::span<const Densit
     read_all(read);
     return quantile_pair(values, confidence);
   };
+  // Extremes of D and k_eq pile φ up at single slip forces, wherever these are.
+  const auto values_inside = [&](const std::vector<double>& all) {
+    std::vector<double> kept;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (!samples[i].extreme) kept.push_back(all[i]);
+    }
+    return kept;
+  };
   for (std::size_t j = 0; j < result.slip_force.size(); ++j) {
     read_all([j](const DensitySample& sample) { return sample.density[j]; });
-    const auto [lower, upper] = quantile_pair_above_zero(values, confidence);
+    std::vector<double> inside = values_inside(values);
+    const auto [lower, upper] = quantile_pair_above_zero(inside, confidence);
     // Where φ ≥ 0 or the smoothing acts, nearly all samples may lie on one side of the estimate.
     bands.lower.push_back(std::min(lower, result.density[j]));
     bands.upper.push_back(std::max(upper, result.density[j]));

@@ -10,8 +10,10 @@
 #include <string_view>
 
 #include "microslip/base/error.hpp"
+#include "microslip/identify/posterior/possible_coefficients.hpp"
 #include "microslip/identify/smoothing/eigen_view.hpp"
 #include "microslip/identify/smoothing/fewer_rows.hpp"
+#include "microslip/observe/level_rows.hpp"
 
 namespace microslip {
 namespace {
@@ -175,6 +177,38 @@ Eigen::VectorXd weighted_loss(const InversionModel& model, const ScaledLevels& l
   return model.weights().head(n).cwiseProduct(view_of(loss)) / levels.energy;
 }
 
+/// What few levels leave open: D between levels, all high, or low in every other gap, and k_eq at
+/// both ends of their range, high or low. Gaps deviate by themselves: the rise of −2 ln p is that of
+/// one, times half of their number.
+void set_goals(const InversionModel& model, const ScaledLevels& levels,
+               DensityPosterior& posterior) {
+  const std::vector<double>& knots = posterior.slip_force;
+  const Eigen::VectorXd& a = levels.amplitude;
+  const Eigen::Index gaps = a.size() - 1;
+  const Eigen::VectorXd between = (a.head(gaps).array() * a.tail(gaps).array()).sqrt();
+  std::vector<double> s;  // the first is 0, to where the density is constant
+  for (std::size_t i = 1; i < knots.size(); ++i) s.push_back(knots[i] / levels.largest_slip_force);
+  const Eigen::MatrixXd density =
+      levels.largest_slip_force *
+      density_at(model, knots).bottomRows(static_cast<Eigen::Index>(s.size()));
+  Eigen::MatrixXd d = dissipation_rows(between, s) * density +
+                      between.cwiseAbs2() * model.linear_damping_row().transpose();
+  d = d.rowwise().sum().cwiseMax(1e-300).cwiseInverse().asDiagonal() * d;
+  const Eigen::MatrixXd soft = softening_rows(Eigen::Vector2d(a(0), 1.0), s) * density;
+  Eigen::MatrixXd goals = Eigen::MatrixXd::Zero(7, d.cols());
+  for (Eigen::Index i = 0; i < gaps; ++i) {
+    goals.row(0) += d.row(i);
+    goals.row(1 + i % 2) -= d.row(i);
+  }
+  goals.middleRows(3, 2) = soft;
+  goals.middleRows(5, 2) = -soft;
+  posterior.goals = plain_matrix(goals);
+  constexpr double kOfOne = PossibleCoefficients::kNineteenOfTwenty;
+  posterior.rises.assign(7, kOfOne);
+  const double of_gaps = kOfOne * std::max(1.0, 0.5 * static_cast<double>(gaps));
+  std::fill_n(posterior.rises.begin(), 3, of_gaps);
+}
+
 DensityPosterior posterior_of(const InversionModel& model, const ScaledLevels& levels,
                               const std::vector<double>& knots) {
   const SmoothingProblem& problem = model.problem();
@@ -235,6 +269,7 @@ void read_model(const InversionModel& model, const std::vector<InversionModel>& 
     result.posterior.others.push_back(posterior_of(other, levels, result.slip_force));
   }
   if (model.few_levels() && !model.lambda_fixed) {
+    set_goals(model, levels, result.posterior);
     const DensityPosterior rough =
         hardly_smooth(model, posterior_of(model, levels, result.slip_force));
     result.posterior.others.insert(result.posterior.others.end(), kRoughChains, rough);

@@ -4,106 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
-#include "microslip/algebra/cholesky.hpp"
 #include "microslip/algebra/core.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/identify/inversion/inverted_joint.hpp"
 #include "microslip/identify/posterior/density_posterior.hpp"
 #include "microslip/identify/posterior/plain_matrix_view.hpp"
+#include "microslip/identify/posterior/possible_coefficients.hpp"
 #include "microslip/identify/smoothing/eigen_view.hpp"
-#include "microslip/identify/smoothing/quadratic_program.hpp"
 #include "microslip/observe/level_rows.hpp"
 
 namespace microslip {
 namespace {
 
-/// −2 ln p of the coefficients above its minimum: of three deviations, and of 95 %.
+/// −2 ln p of the coefficients above its minimum: of three deviations.
 constexpr double kThreeDeviations = 9.0;
-constexpr double kNineteenOfTwenty = 3.841;
-/// λ over the smallest of the path, and that of few levels.
-constexpr double kHardlySmooth = 1e-3;
-constexpr double kHardlySmoothOfFewest = 1e-8;
-/// Steps of the weight of the goal until that is reached, and how near is near enough.
-constexpr int kSteps = 8;
-constexpr double kNear = 0.1;
-/// The least ratio of two of them.
-constexpr double kLeastStep = 0.3;
-/// Added to the diagonal, over its mean: rounding.
-constexpr double kRidge = 1e-13;
-
-/// −ln p = ½xᵀHx − gᵀx of coefficients, and its extremes.
-class PossibleCoefficients {
- public:
-  explicit PossibleCoefficients(const InversionResult& result);
-
-  /// x of the largest value of a goal, to first order about each solution on the way.
-  /// @param gradient  of the goal at x. @param rise  of −2 ln p.
-  template <typename Gradient>
-  [[nodiscard]] Eigen::VectorXd extreme(const Gradient& gradient, double rise);
-
- private:
-  void add(const PosteriorRows& rows, double scatter);
-  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& more);
-  [[nodiscard]] double value(const Eigen::VectorXd& x) const {
-    return x.dot(hessian_ * x) - 2.0 * linear_.dot(x);
-  }
-
-  Eigen::MatrixXd hessian_;
-  Eigen::VectorXd linear_;
-  QuadraticProgram program_;
-  std::vector<bool> free_;
-};
-
-PossibleCoefficients::PossibleCoefficients(const InversionResult& result)
-    : program_(view_of(result.posterior.area), 1.0), free_(result.posterior.area.size(), true) {
-  const DensityPosterior& posterior = result.posterior;
-  const bool given = posterior.smoothing.least == posterior.smoothing.most;
-  const double share = posterior.reaches_limits ? kHardlySmoothOfFewest : kHardlySmooth;
-  const double lambda = given ? posterior.smoothing.chosen : share * posterior.smoothing.least;
-  const auto penalty = matrix_of(posterior.penalty);
-  hessian_ = lambda * penalty.transpose() * penalty;
-  linear_.setZero(hessian_.cols());
-  add(posterior.dissipation, posterior.scatter);
-  if (posterior.secant.factor.rows() > 0) {
-    add(posterior.secant, std::max(posterior.scatter, posterior.secant.least_scatter));
-  }
-  hessian_.diagonal().array() += kRidge * hessian_.diagonal().mean();
-}
-
-void PossibleCoefficients::add(const PosteriorRows& rows, double scatter) {
-  const double precision = 1.0 / (scatter * scatter);
-  const auto factor = matrix_of(rows.factor);
-  hessian_ += precision * factor.transpose() * factor;
-  linear_ += precision * factor.transpose() * view_of(rows.data);
-}
-
-Eigen::VectorXd PossibleCoefficients::solve(const Eigen::VectorXd& more) {
-  QuadraticProgram::Solution solution = program_.solve(hessian_, linear_ + more, free_);
-  free_ = solution.free;
-  return std::move(solution.x);
-}
-
-// The weight of the goal beside −ln p is found from the rise of that: without limits it grows with
-// the square.
-template <typename Gradient>
-Eigen::VectorXd PossibleCoefficients::extreme(const Gradient& gradient, double rise) {
-  Eigen::VectorXd x = solve(Eigen::VectorXd::Zero(linear_.size()));
-  const double least = value(x);
-  const Eigen::LLT<Eigen::MatrixXd> factor(hessian_);
-  const Eigen::VectorXd first = gradient(x);
-  double weight = std::sqrt(rise / std::max(1e-300, first.dot(factor.solve(first))));
-  for (int i = 0; i < kSteps; ++i) {
-    Eigen::VectorXd tried = solve(weight * gradient(x));
-    const double risen = value(tried) - least;
-    if (risen <= (1.0 + kNear) * rise) x = std::move(tried);
-    if (std::abs(risen / rise - 1.0) < kNear) break;
-    weight *= std::clamp(std::sqrt(rise / std::max(risen, 1e-300)), kLeastStep, 1.0 / kLeastStep);
-  }
-  return x;
-}
 
 /// 1 − k_eq/k at two amplitudes, as rows of the coefficients.
 Eigen::MatrixXd softening_of(const InversionResult& result, double stiffness, double from,
@@ -140,8 +56,13 @@ Joint softest_joint(const InversionResult& result, double stiffness, double from
     throw InputError("amplitude", from, "must be positive, and below the other");
   }
   const Eigen::MatrixXd softening = softening_of(result, stiffness, from, to);
-  const Eigen::VectorXd x = PossibleCoefficients(result).extreme(
-      [&](const Eigen::VectorXd& at) { return gradient(softening, at); }, kThreeDeviations);
+  const std::vector<double> found = result.posterior.extreme(
+      [&](const std::vector<double>& at) -> std::vector<double> {
+        const Eigen::VectorXd slope = gradient(softening, view_of(at));
+        return {slope.begin(), slope.end()};
+      },
+      kThreeDeviations);
+  const Eigen::VectorXd x = view_of(found);
   const Eigen::VectorXd at_knots = matrix_of(result.posterior.density) * x;
   InversionResult softest = result;
   softest.density.assign(at_knots.begin(), at_knots.end());
@@ -151,11 +72,12 @@ Joint softest_joint(const InversionResult& result, double stiffness, double from
 
 double least_area(const InversionResult& result) {
   result.check();
-  const Eigen::VectorXd area = view_of(result.posterior.area);
-  const Eigen::VectorXd downwards = -area;
-  const Eigen::VectorXd x = PossibleCoefficients(result).extreme(
-      [&](const Eigen::VectorXd&) { return downwards; }, kNineteenOfTwenty);
-  return area.dot(x);
+  std::vector<double> downwards = result.posterior.area;
+  for (double& value : downwards) value = -value;
+  const std::vector<double> x =
+      result.posterior.extreme([&](const std::vector<double>&) { return downwards; },
+                               PossibleCoefficients::kNineteenOfTwenty);
+  return view_of(result.posterior.area).dot(view_of(x));
 }
 
 }  // namespace microslip

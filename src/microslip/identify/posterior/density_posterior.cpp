@@ -16,6 +16,7 @@
 #include "microslip/base/random.hpp"
 #include "microslip/base/work_size.hpp"
 #include "microslip/identify/posterior/plain_matrix_view.hpp"
+#include "microslip/identify/posterior/possible_coefficients.hpp"
 #include "microslip/identify/posterior/posterior_chain.hpp"
 #include "microslip/identify/smoothing/eigen_view.hpp"
 
@@ -24,6 +25,11 @@ namespace {
 
 /// Streams of the common errors of single draws come after those of the chains.
 constexpr std::uint64_t kErrorStreams = std::uint64_t{1} << 32U;
+/// λ of extremes over the smallest of a posterior, and that of few levels.
+constexpr double kHardlySmooth = 1e-3;
+constexpr double kHardlySmoothOfFewest = 1e-8;
+/// One draw of so many is an extreme, where there are any.
+constexpr std::size_t kEachExtreme = 4;
 
 /// Memory of a draw, and of its copy in the result.
 double bytes_of_draw(std::size_t knots) {
@@ -126,6 +132,27 @@ DensitySample read_sample(const DensityPosterior& posterior, const Eigen::Vector
   return sample;
 }
 
+/// The draw that is brought within the limits, or the last one where that fails.
+Eigen::VectorXd within_limits(const PosteriorChain& chain, RandomStream& random) {
+  const QuadraticProgram::Solution solution = chain.projected(random);
+  return solution.optimal() ? solution.x : chain.coefficients();
+}
+
+/// The draws with the largest values of the goals.
+std::vector<DensitySample> extremes(const DensityPosterior& posterior) {
+  std::vector<DensitySample> ends;
+  const std::size_t columns = posterior.goals.columns;
+  for (std::size_t i = 0; i < posterior.goals.rows(); ++i) {
+    const auto row = posterior.goals.values.begin() + static_cast<std::ptrdiff_t>(i * columns);
+    const std::vector<double> goal(row, row + static_cast<std::ptrdiff_t>(columns));
+    const std::vector<double> x =
+        posterior.extreme([&goal](const std::vector<double>&) { return goal; }, posterior.rises[i]);
+    ends.push_back(read_sample(posterior, view_of(x)));
+    ends.back().extreme = true;
+  }
+  return ends;
+}
+
 /// Counts draws of all chains, one call at a time.
 class DrawCounter {
  public:
@@ -159,6 +186,9 @@ void DensityPosterior::check() const {
   check_rows("dissipation", dissipation, n, common_errors.loss_factor_std > 0.0);
   check_rows("secant", secant, n, false);
   check_columns("penalty", penalty, n);
+  check_columns("goals", goals, n);
+  check_length("rises", rises.size(), goals.rows());
+  for (const double rise : rises) check_positive("rise", rise);
   check_positive("scatter", scatter);
   check_positive("local deviation", local_deviation);
   check_positive("smallest smoothing", smoothing.least);
@@ -174,6 +204,26 @@ void DensityPosterior::check() const {
   }
 }
 
+std::vector<double> DensityPosterior::extreme(
+    const std::function<std::vector<double>(const std::vector<double>&)>& gradient,
+    double rise) const {
+  const bool given = smoothing.least == smoothing.most;
+  const double share = reaches_limits ? kHardlySmoothOfFewest : kHardlySmooth;
+  PossibleCoefficients possible(matrix_of(penalty),
+                                given ? smoothing.chosen : share * smoothing.least, view_of(area));
+  possible.add(matrix_of(dissipation.factor), view_of(dissipation.data), scatter);
+  if (secant.factor.rows() > 0) {
+    possible.add(matrix_of(secant.factor), view_of(secant.data),
+                 std::max(scatter, secant.least_scatter));
+  }
+  const Eigen::VectorXd x = possible.extreme(
+      [&](const Eigen::VectorXd& at) -> Eigen::VectorXd {
+        return view_of(gradient({at.begin(), at.end()}));
+      },
+      rise);
+  return {x.begin(), x.end()};
+}
+
 std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::size_t count,
                                                      const Execution& execution,
                                                      const Progress& progress) const {
@@ -185,6 +235,7 @@ std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::si
   std::vector<ChainTarget> targets;
   for (const DensityPosterior* posterior : posteriors) targets.push_back(chain_target(*posterior));
   std::vector<DensitySample> all(count);
+  const std::vector<DensitySample> ends = extremes(*this);
   DrawCounter counter(count, progress);
   const std::size_t length = chain_length();
   execution.for_each((count + length - 1) / length, [&](std::size_t number) {
@@ -198,8 +249,13 @@ std::vector<DensitySample> DensityPosterior::samples(std::uint64_t seed, std::si
       const CommonErrorDraw errors = common_errors.draw(of_errors);
       if (common_errors.loss_factor_std > 0.0) chain.set_error(errors.loss_factor);
       const Eigen::VectorXd& x = chain.next(random);
-      const bool projected = reaches_limits && i % 2 == 1;
-      all[i] = read_sample(drawn, projected ? chain.projected(random).x : x);
+      if (!ends.empty() && i % kEachExtreme == kEachExtreme - 1) {
+        all[i] = ends[i / kEachExtreme % ends.size()];
+      } else if (reaches_limits && i % 2 == 1) {
+        all[i] = read_sample(drawn, within_limits(chain, random));
+      } else {
+        all[i] = read_sample(drawn, x);
+      }
       apply_gains(slip_force, errors, all[i]);
       counter.count();
     }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "microslip/base/execution.hpp"
@@ -41,6 +42,7 @@ struct DensitySample {
   double area = 0.0;            ///< Φ0 of the density and the atom, 1; ≤ 1
   double linear_damping = 0.0;  ///< J/m²
   double atom_weight = 0.0;     ///< 1
+  bool extreme = false;  ///< one of the ends of what is possible, see DensityPosterior::goals
 };
 
 /// Posterior of a density given levels and prior: numbers alone, which can be kept and drawn from
@@ -77,6 +79,14 @@ struct DensityPosterior {
   /// limits at once, so that the area of each is above one that may be true.
   bool reaches_limits = false;
 
+  /// Linear functions of the coefficients whose largest values count, one per row: of few levels D
+  /// between them and k_eq, of which draws of a chain show too little, as the density between and
+  /// below few levels is nearly free, and so is what of D is linear damping. Every fourth draw is
+  /// one of them in turn: each is more than one in 40 of all draws where there are ten or fewer, so
+  /// that bands of 95 % reach it. See possible_coefficients.hpp.
+  PlainMatrix goals = {};
+  std::vector<double> rises = {};  ///< of −2 ln p above its minimum, one per goal; > 0
+
   /// Posteriors under other assumptions, each as likely as this, with the same knots: the edges of
   /// the density at other places, or of few levels next to no smoothness. Chains alternate between
   /// them. None where many levels show no edges.
@@ -84,6 +94,16 @@ struct DensityPosterior {
 
   /// @throws InputError  where its parts do not belong together, or it is empty.
   void check() const;
+
+  /// Coefficients of the largest value of a goal, to first order about each solution on the way, of
+  /// those whose −2 ln p is not above its minimum by more than a rise. The scatter is that where
+  /// chains start, and next to no smoothness is assumed: λ is a thousandth of the smallest, of few
+  /// levels 1e−8 of it, or the one that was given.
+  /// @param gradient  of the goal at coefficients.
+  /// @param rise      > 0: 9 for three deviations of a normal distribution without limits.
+  [[nodiscard]] std::vector<double> extreme(
+      const std::function<std::vector<double>(const std::vector<double>&)>& gradient,
+      double rise) const;
 
   /// Draws in one chain: many where there is one posterior, fewer where chains are to visit
   /// several.

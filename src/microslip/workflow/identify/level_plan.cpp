@@ -123,8 +123,11 @@ std::vector<DensitySample> planning_draws(const InversionResult& result,
                                           const LevelPlanning& options) {
   check_memory("`draws`", static_cast<double>(options.draws),
                kBytesOfKnot * static_cast<double>(result.slip_force.size()), "Take fewer.");
+  DensityPosterior posterior = result.posterior;
+  posterior.goals = {};  // extremes are ends of bands: they say nothing of a variance
+  posterior.rises.clear();
   const std::vector<DensitySample> all =
-      result.posterior.samples(options.seed, options.draws, Execution::threads(), options.progress);
+      posterior.samples(options.seed, options.draws, Execution::threads(), options.progress);
   std::vector<DensitySample> taken;
   for (std::size_t i = 0; i < all.size(); i += stride_of(options.target)) taken.push_back(all[i]);
   return taken;

@@ -108,7 +108,8 @@ CsvWriter dissipation_table(const std::vector<double>& amplitude, double beta,
   return table;
 }
 
-/// Values of each draw of a joint and of its linear damping, and the band of them.
+/// Values of each draw of a joint and of its linear damping, and the band of them with those of the
+/// joint itself, which limits may leave on one side of nearly all draws.
 struct DrawnValues {
   Band band = {};
   std::optional<DrawsTaken> taken = {};
@@ -130,6 +131,11 @@ DrawnValues drawn_values(
   DrawnValues drawn;
   drawn.taken = take_draws(draws->options, take, draws->execution, draws->progress);
   drawn.band = band_of(values, draws->options.confidence);
+  const std::vector<double> own = values_of(file.joint, beta);
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    drawn.band.lower[i] = std::min(drawn.band.lower[i], own[i]);
+    drawn.band.upper[i] = std::max(drawn.band.upper[i], own[i]);
+  }
   drawn.warnings = draw_warnings(*drawn.taken);
   return drawn;
 }
