@@ -895,5 +895,59 @@ TEST_F(Hdf5NetCdf, NamesTheFilterThatIsMissing) {
   EXPECT_NE(message().find("h5repack -f GZIP=4"), std::string::npos) << message();
 }
 
+// A frequency response keeps the rate at which it was sampled; a chirp may have both as well.
+TEST_F(Hdf5NetCdf, SaysThatAFrequencyIsTheAxisBesideARate) {
+  struct Row {
+    double frequency;
+    double force;
+  };
+  for (const char* place : {"/", "force", "data"}) {
+    {
+      OtherFile file(path_);
+      if (std::string(place) == "data") {
+        const hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(Row));
+        H5Tinsert(type, "frequency", HOFFSET(Row, frequency), H5T_NATIVE_DOUBLE);
+        H5Tinsert(type, "force", HOFFSET(Row, force), H5T_NATIVE_DOUBLE);
+        file.dataset<Row>("data", type, {3}, {{1.0, 3.0}, {2.0, 1.0}, {3.0, 2.0}});
+        H5Tclose(type);
+      } else {
+        file.dataset<double>("frequency", H5T_NATIVE_DOUBLE, {3}, {1.0, 2.0, 3.0});
+        file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+      }
+      file.number(place, "fs", 1000.0);
+    }
+    const Recordings all = read();
+    EXPECT_EQ(all.recordings.at(0).axis, (Axis{kFrequency, 1.0, 1.0, {}})) << place;
+    ASSERT_EQ(all.warnings.size(), 1U) << place;
+    EXPECT_EQ(all.warnings[0].code, "axis_chosen");
+    EXPECT_NE(all.warnings[0].text.find("'frequency' is taken for the axis, though the file states "
+                                        "1000 Hz"),
+              std::string::npos)
+        << all.warnings[0].text;
+  }
+}
+
+// As h5py writes lists of names and units beside a matrix of samples and channels.
+TEST_F(Hdf5NetCdf, TakesListsOfTheChannelsOfAMatrix) {
+  const auto write = [&](const std::vector<const char*>& units) {
+    OtherFile file(path_);
+    file.dataset<double>("data", H5T_NATIVE_DOUBLE, {3, 2}, {1, 10, 2, 20, 3, 30});
+    file.number("data", "sampling_rate", 1000.0);
+    file.texts("data", "units", units);
+    file.texts("data", "channels", {"load cell", "gap"});
+  };
+  write({"kN", "mm"});
+  const Recordings all = read();
+  EXPECT_TRUE(all.warnings.empty());
+  EXPECT_EQ(all.recordings.at(0).channel("load cell").values, (std::vector{1e3, 2e3, 3e3}));
+  EXPECT_EQ(all.recordings[0].channel("gap").values, (std::vector{10e-3, 20e-3, 30e-3}));
+  EXPECT_EQ(all.recordings[0].channel("gap").dimension, kLength);
+  write({"s", "kN", "mm"});
+  const Recordings others = read();
+  ASSERT_EQ(others.warnings.size(), 1U);
+  EXPECT_EQ(others.warnings[0].code, "list_not_applied");
+  EXPECT_FALSE(others.recordings.at(0).channel("gap").dimension);
+}
+
 }  // namespace
 }  // namespace microslip::hdf5_netcdf_test

@@ -39,6 +39,9 @@ class OtherMat {
   void add(const char* name, std::vector<double> values, std::size_t rows) {
     put(name, MAT_C_DOUBLE, MAT_T_DOUBLE, rows, values.size() / rows, values.data());
   }
+  void add_int64(const char* name, std::vector<std::int64_t> values) {
+    put(name, MAT_C_INT64, MAT_T_INT64, values.size(), 1, values.data());
+  }
   void add_single(const char* name, std::vector<float> values) {
     put(name, MAT_C_SINGLE, MAT_T_SINGLE, values.size(), 1, values.data());
   }
@@ -424,6 +427,36 @@ TEST_F(MatOther, NamesObjectsOfMatlab) {
                            "'timetable'. Only MATLAB reads it"),
             std::string::npos)
       << message();
+}
+
+// numpy.datetime64 as int64: doubles are 256 ns apart there, at 51.2 kHz 1.3 % of a step.
+TEST_F(MatOther, KeepsTheDigitsOfTimesSince1970) {
+  constexpr std::int64_t kStart = 1704067200000000123;
+  for (const bool stated : {false, true}) {
+    {
+      OtherMat file(path_);
+      file.add_int64("time", {kStart, kStart + 19531, kStart + 2 * 19531});
+      file.add("force", {1.0, 2.0, 3.0}, 3);
+      if (stated) file.add("time_unit", "ns");
+    }
+    const Recordings read = read_recordings_mat(path_);
+    EXPECT_EQ(read.recordings.at(0).axis.start, 0.0);
+    EXPECT_NEAR(read.recordings[0].axis.step, 19531e-9, 1e-12 * 19531e-9) << "but for rounding";
+    EXPECT_EQ(read.warnings.size(), stated ? 0U : 1U);
+  }
+}
+
+TEST_F(MatOther, SaysThatAFrequencyIsTheAxisBesideARate) {
+  {
+    OtherMat file(path_);
+    file.add("frequency", {1.0, 2.0, 3.0}, 3);
+    file.add("fs", {1000.0}, 1);
+    file.add("H", {1.0, 2.0, 3.0}, 3);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  EXPECT_EQ(read.recordings.at(0).axis.dimension, kFrequency);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "axis_chosen");
 }
 
 }  // namespace

@@ -79,6 +79,17 @@ class OtherFile {
     H5Sclose(space);
   }
 
+  /// A list of texts, as h5py writes one.
+  void texts(const char* object, const char* name, const std::vector<const char*>& values) {
+    const hsize_t size = values.size();
+    const hid_t space = H5Screate_simple(1, &size, nullptr);
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, H5T_VARIABLE);
+    attribute(object, name, type, space, values.data());
+    H5Tclose(type);
+    H5Sclose(space);
+  }
+
  private:
   void attribute(const char* object, const char* name, hid_t type, hid_t space, const void* value) {
     const hid_t at =

@@ -1,28 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/hdf5/hdf5_dates.hpp"
 
-#include <cmath>
-
 #include "microslip/io/bytes/byte_order.hpp"
-#include "microslip/io/recordings/unitless_times.hpp"
 
 namespace microslip {
-namespace {
-
-/// Whether doubles, which have 53 bits, hold times in seconds as finely as an axis must be even: to
-/// 1e-6 of a step.
-bool holds_steps(double first, double step) {
-  constexpr double kExact = 9007199254740992.0;  // 2⁵³
-  constexpr double kEvenTo = 1e-6;
-  return std::abs(first) <= kExact && std::abs(first) <= kEvenTo * kExact * step;
-}
-
-}  // namespace
-
-std::int64_t difference(std::int64_t later, std::int64_t earlier) {
-  return static_cast<std::int64_t>(static_cast<std::uint64_t>(later) -
-                                   static_cast<std::uint64_t>(earlier));
-}
 
 bool is_large_integer(hid_t type) {
   return H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) == sizeof(std::int64_t);
@@ -59,29 +40,6 @@ std::vector<double> seconds_from_first(std::span<const std::int64_t> nanoseconds
     seconds.push_back(kNanosecond * static_cast<double>(difference(date, nanoseconds.front())));
   }
   return seconds;
-}
-
-WholeTimes whole_times(const WholeNumbers& whole, const std::string& unit,
-                       const std::string& place) {
-  const std::vector<std::int64_t>& numbers = whole.bits;
-  WholeTimes times{.values = {}, .unit = unit};
-  if (numbers.empty()) return times;
-  const auto first = static_cast<double>(numbers.front());
-  const double step =
-      numbers.size() < 2 ? 0.0 : std::abs(static_cast<double>(difference(numbers[1], numbers[0])));
-  const bool is_beyond = !whole.is_signed && numbers.front() < 0;
-  const CountedUnit* const counted = unit.empty() && !is_beyond ? counted_unit(first) : nullptr;
-  if (counted != nullptr) {
-    times.unit = counted->unit;
-    times.warning = since_1970(*counted, place);
-  }
-  const bool from_first = counted != nullptr || is_beyond || !holds_steps(first, step);
-  const std::int64_t zero = from_first ? numbers.front() : 0;
-  times.values.reserve(numbers.size());
-  for (const std::int64_t number : numbers) {
-    times.values.push_back(static_cast<double>(difference(number, zero)));
-  }
-  return times;
 }
 
 }  // namespace microslip

@@ -6,36 +6,14 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "microslip/base/error.hpp"
-#include "microslip/base/summary.hpp"
+#include "microslip/io/recordings/whole_times.hpp"
 
 /// @file
-/// Times in whole numbers, which doubles do not hold where they count from 1970.
+/// Types of HDF5 with times in whole numbers (whole_times.hpp).
 
 namespace microslip {
-
-/// Times from the first on.
-struct WholeTimes {
-  std::vector<double> values;
-  std::string unit;                     ///< as in the file, or found by their size
-  std::optional<Warning> warning = {};  ///< where it was found so
-};
-
-/// Whole numbers of eight bytes; those without a sign have the bits of the numbers here.
-struct WholeNumbers {
-  std::vector<std::int64_t> bits;
-  bool is_signed = true;
-};
-
-/// Whole numbers without a unit that count from 1970 (counted_unit()) are given from the first on,
-/// as are those from 2⁶³ on or whose steps doubles do not hold to 1e-6; others are as they are.
-/// @param unit   as in the file; empty: none.
-/// @param place  of the numbers, for the warning.
-[[nodiscard]] WholeTimes whole_times(const WholeNumbers& whole, const std::string& unit,
-                                     const std::string& place);
 
 /// Whether a type is one of whole numbers of eight bytes.
 [[nodiscard]] bool is_large_integer(hid_t type);
@@ -58,8 +36,5 @@ struct Hdf5Time {
 
 /// Seconds from the first of dates on: doubles do not hold dates.
 [[nodiscard]] std::vector<double> seconds_from_first(std::span<const std::int64_t> nanoseconds);
-
-/// The difference of two dates, which may be any numbers.
-[[nodiscard]] std::int64_t difference(std::int64_t later, std::int64_t earlier);
 
 }  // namespace microslip

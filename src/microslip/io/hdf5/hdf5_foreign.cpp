@@ -29,6 +29,8 @@ namespace microslip {
 namespace {
 
 constexpr int kDeepestGroup = 32;
+/// Attributes with the names of the channels of a matrix.
+constexpr std::array kChannelsNames{"channels", "channel_names", "names", "labels"};
 
 template <class Names>
 std::optional<double> number_of(hid_t object, const Names& names, const std::string& place) {
@@ -446,8 +448,10 @@ class ForeignReader {
     try {
       PointsOrFault read{
           axis_of_points({std::move(points), unit, usual, place}, sampling.step, result_.warnings)};
-      auto warning = contradicting_rate(read.points, sampling.step, name, path_);
-      if (warning) result_.warnings.push_back(*std::move(warning));
+      for (const auto& warning : {contradicting_rate(read.points, sampling.step, name, path_),
+                                  unused_rate(read.points.axis, sampling.step, name, place)}) {
+        if (warning) result_.warnings.push_back(*warning);
+      }
       return read;
     } catch (const InputError& error) {
       if (!axis_fault_) axis_fault_ = error;
@@ -603,6 +607,11 @@ class ForeignReader {
       without_axis_.push_back({dataset.place, fault});
       return false;
     }
+    const Sampling own = sampling_of(dataset.handle.id(), {}, dataset.place);
+    const std::string over = group.axis ? group.axis->name : "a scale";
+    if (auto warning = unused_rate(along->axis, own.step, over, dataset.place)) {
+      result_.warnings.push_back(*std::move(warning));
+    }
     for (Channel& channel : read_channels(dataset, along->side)) {
       add_channel(group.recordings, group.source, along->axis, std::move(channel), dataset.name);
     }
@@ -640,11 +649,16 @@ class ForeignReader {
       read_hdf5_complex(id, first.values, first.imaginary, dataset.place);
       channels.push_back(std::move(first));
     }
+    const bool is_matrix = dataset.sides.size() == 2;
+    const std::vector<std::string> units =
+        is_matrix ? listed_texts(dataset, kUnitNames, channels.size(), "units")
+                  : std::vector<std::string>();
     for (Channel& channel : channels) {
       std::string missing = unpack(packing, channel.values);
       if (missing.empty()) missing = unpack(packing, channel.imaginary);
       if (!missing.empty()) channel.attributes.emplace_back(kMissingAttribute, missing);
-      apply_unit(channel, unit, dataset.place, result_.warnings);
+      const std::size_t i = static_cast<std::size_t>(&channel - channels.data());
+      apply_unit(channel, units.empty() ? unit : units[i], dataset.place, result_.warnings);
       progress_.add(channel.values.size() + channel.imaginary.size());
     }
     return channels;
@@ -662,9 +676,12 @@ class ForeignReader {
         along == 1 ? read_hdf5_rows(id, dataset.place) : read_hdf5_columns(id, dataset.place);
     std::vector<Channel> channels;
     const std::vector<Label> labels = read_labels(dataset, 1 - along);
+    const std::vector<std::string> names =
+        listed_texts(dataset, kChannelsNames, parts.size(), "names");
     for (std::size_t i = 0; i < parts.size(); ++i) {
       Channel channel = first;
-      channel.name = fmt::format("{}_{}", first.name, i + 1);
+      channel.name =
+          names.empty() || names[i].empty() ? fmt::format("{}_{}", first.name, i + 1) : names[i];
       for (const Label& label : labels) {
         channel.attributes.emplace_back(
             label.name,
@@ -674,6 +691,24 @@ class ForeignReader {
       channels.push_back(std::move(channel));
     }
     return channels;
+  }
+
+  /// What an attribute of a matrix lists, one text for each of its channels; none where there is
+  /// no such list. One of another length is left, with a warning.
+  /// @param what  it lists, in words.
+  template <class Names>
+  std::vector<std::string> listed_texts(const Dataset& dataset, const Names& attributes,
+                                        std::size_t channels, std::string_view what) {
+    for (const char* attribute : attributes) {
+      std::vector<std::string> texts = hdf5_texts(dataset.handle.id(), attribute, dataset.place);
+      if (texts.size() < 2) continue;  // one is for all channels
+      if (texts.size() == channels) return texts;
+      result_.warnings.push_back(
+          {"list_not_applied",
+           fmt::format("{}: {} lists {} {} for {} channels and is not applied", dataset.place,
+                       in_quotes(attribute), texts.size(), what, channels)});
+    }
+    return {};
   }
 
   /// Numbers by which a scale tells the channels of a matrix apart: positions, for instance.

@@ -328,6 +328,10 @@ class Mat73Reader {
     const Hdf5Content content = hdf5_content(dataset);
     if (content == Hdf5Content::kReal) {
       read_hdf5_real(dataset, value.real, place);
+      const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+      if (is_large_integer(type.id())) {
+        value.whole = beyond_doubles(read_hdf5_integers(dataset, place));
+      }
     } else if (content == Hdf5Content::kComplex) {
       read_hdf5_complex(dataset, value.real, value.imaginary, place);
     } else {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "microslip/base/progress.hpp"
+#include "microslip/io/recordings/whole_times.hpp"
 
 /// @file
 /// Contents of TDMS files of LabVIEW [NI, "The NI TDMS File Format", version 2.0]. Internal to
@@ -65,6 +66,7 @@ struct TdmsObject {
   std::vector<TdmsSource> sources = {};
   bool is_daqmx = false;
   std::vector<TdmsTime> times = {};  ///< of a channel of time stamps
+  WholeNumbers whole = {};           ///< of a channel called time of integers of eight bytes
   std::string other = {};            ///< in words, of values that are neither numbers nor times
   /// The first property on which the values depend, in words, that a later segment states
   /// otherwise. The last statement counts, but of wf_start_time the first one.

@@ -36,6 +36,8 @@ struct TdmsIndex {
 };
 
 /// Types of values.
+inline constexpr std::uint32_t kTdmsInt64 = 4;
+inline constexpr std::uint32_t kTdmsUint64 = 8;
 inline constexpr std::uint32_t kTdmsExtended = 0x0B;  ///< 16 bytes, which are not read
 inline constexpr std::uint32_t kTdmsExtendedWithUnit = 0x1B;
 inline constexpr std::uint32_t kTdmsText = 0x20;

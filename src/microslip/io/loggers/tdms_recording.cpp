@@ -165,9 +165,8 @@ class TdmsGroups {
       warn_left_out(object, scaled.fault.empty() ? object.other : scaled.fault,
                     "let LabVIEW or DIAdem save it as numbers in its unit");
     } else if (!axes.points && is_points(object, scaled.values) && !has_increment(object)) {
-      axes.points = axis_of_points(
-          {std::move(scaled.values), unit_of(object.properties), kTime, place_of(object)}, {},
-          result_.warnings);
+      axes.points =
+          axis_of_points(points_in_file(object, std::move(scaled.values)), {}, result_.warnings);
       axes.name_of_points = object.channel;
     } else if (scaled.values.size() > 1) {
       if (!axes.compared) note_times(object, scaled.values, axes);
@@ -246,6 +245,21 @@ class TdmsGroups {
 
   static bool has_increment(const TdmsObject& object) {
     return states_step(object.properties.number("wf_increment"));
+  }
+
+  /// Integers that no scale has changed keep all their digits.
+  PointsInFile points_in_file(const TdmsObject& object, std::vector<double> values) {
+    PointsInFile points{std::move(values), unit_of(object.properties), kTime, place_of(object)};
+    const std::vector<std::int64_t>& bits = object.whole.bits;
+    const bool as_stored = bits.size() == points.points.size() &&
+                           static_cast<double>(bits.front()) == points.points.front() &&
+                           static_cast<double>(bits.back()) == points.points.back();
+    if (!as_stored) return points;
+    WholeTimes times = whole_times(object.whole, points.unit, points.place);
+    if (times.warning) result_.warnings.push_back(*std::move(times.warning));
+    points.points = std::move(times.values);
+    points.unit = std::move(times.unit);
+    return points;
   }
 
   /// Where values are times; those in an unknown unit are compared with nothing.

@@ -15,6 +15,7 @@
 #include "microslip/io/loggers/piece_reader.hpp"
 #include "microslip/io/loggers/tdms_contents.hpp"
 #include "microslip/io/loggers/tdms_metadata.hpp"
+#include "microslip/io/recordings/sampling.hpp"
 
 namespace microslip {
 namespace {
@@ -357,6 +358,11 @@ class TdmsReader {
   void add(TdmsObject& object, std::vector<double>* values, std::uint32_t type, const char* from,
            std::size_t stride, std::size_t count, bool swap) {
     if (values != nullptr) {
+      const bool is_large = type == kTdmsInt64 || type == kTdmsUint64;
+      for (std::size_t i = 0; is_large && is_one_of(object.channel, kTimeNames) && i < count; ++i) {
+        object.whole.bits.push_back(value_of_bytes<std::int64_t>(from + i * stride, swap));
+        object.whole.is_signed = type == kTdmsInt64;
+      }
       return tdms_converter(type, swap)(from, stride, count, grown(*values, count));
     }
     for (std::size_t i = 0; type == kTdmsTime && i < count; ++i) {

@@ -238,8 +238,7 @@ class VariableReader {
     return other_class(name);
   }
 
-  void read_part(const MatValue& value, std::vector<double>& part, std::uint32_t type,
-                 std::size_t end) {
+  void read_part(MatValue& value, std::vector<double>& part, std::uint32_t type, std::size_t end) {
     const Tag tag = read_tag(end);
     const std::size_t size = bytes_of_type(tag.type);
     if (size == 0 || tag.type >= mat5::kUtf8 || tag.size != size * value.count()) {
@@ -251,7 +250,26 @@ class VariableReader {
         (tag.type == mat5::kSingleNumbers || tag.type == mat5::kDoubleNumbers)) {
       stream_.fail("integers", "fractions");
     }
+    if (&part == &value.real && (tag.type == mat5::kInt64 || tag.type == mat5::kUint64)) {
+      return read_large(tag, value);
+    }
     read_numbers(tag, part);
+  }
+
+  void read_large(const Tag& tag, MatValue& value) {
+    WholeNumbers whole{.bits = {}, .is_signed = tag.type == mat5::kInt64};
+    const std::size_t count = tag.size / sizeof(std::int64_t);
+    if (whole.is_signed) {
+      read_values<std::int64_t>(stream_, count, swap_, whole.bits);
+      value.real.assign(whole.bits.begin(), whole.bits.end());
+    } else {
+      std::vector<std::uint64_t> numbers;
+      read_values<std::uint64_t>(stream_, count, swap_, numbers);
+      value.real.assign(numbers.begin(), numbers.end());
+      whole.bits.assign(numbers.begin(), numbers.end());
+    }
+    value.whole = beyond_doubles(std::move(whole));
+    go_to(tag.end);
   }
 
   /// Rows, starts of columns, numbers. There may be more rows and numbers than the columns have.

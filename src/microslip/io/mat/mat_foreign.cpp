@@ -14,6 +14,7 @@
 #include "microslip/io/mat/mat_rows.hpp"
 #include "microslip/io/mat/mat_units.hpp"
 #include "microslip/io/recordings/sampling.hpp"
+#include "microslip/io/recordings/whole_times.hpp"
 
 namespace microslip {
 namespace {
@@ -155,13 +156,22 @@ std::size_t channels_of(const MatValue& value) {
 void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& warnings) {
   const auto [index, usual] = find_points(arrays);
   if (index == arrays.size()) return;
-  const Array& points = arrays[index];
-  scope.axis_name = points.name;
-  scope.axis = axis_of_points(
-      {points.value->real, points.unit, usual, fmt::format("{}: {}", scope.place, points.name)},
-      scope.sampling.step, warnings);
-  auto warning = contradicting_rate(*scope.axis, scope.sampling.step, points.name, scope.place);
-  if (warning) warnings.push_back(*std::move(warning));
+  const Array& array = arrays[index];
+  scope.axis_name = array.name;
+  PointsInFile points{array.value->real, array.unit, usual,
+                      fmt::format("{}: {}", scope.place, array.name)};
+  if (!array.value->whole.bits.empty() && usual == kTime) {
+    WholeTimes times = whole_times(array.value->whole, points.unit, points.place);
+    if (times.warning) warnings.push_back(*std::move(times.warning));
+    points.points = std::move(times.values);
+    points.unit = std::move(times.unit);
+  }
+  scope.axis = axis_of_points(std::move(points), scope.sampling.step, warnings);
+  for (auto& warning :
+       {contradicting_rate(*scope.axis, scope.sampling.step, array.name, scope.place),
+        unused_rate(scope.axis->axis, scope.sampling.step, array.name, scope.place)}) {
+    if (warning) warnings.push_back(*warning);
+  }
   arrays.erase(arrays.begin() + static_cast<std::ptrdiff_t>(index));
 }
 

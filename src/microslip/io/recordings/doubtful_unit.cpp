@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/signal/recording/quantity_name.hpp"
 
 namespace microslip {
 
@@ -45,5 +46,20 @@ Warning doubtful_gravity(std::string_view place, std::string_view name,
                   "if in g; it is treated as without unit. Specify `assume_units {}=m/s^2` or {}=g",
                   place, in_quotes(name), largest, largest * kStandardGravity, name, name)};
 }
+
+bool is_force_in_pounds(std::string_view name, const Unit& unit) {
+  const bool is_load =
+      quantity_of_name(name) == kForce || in_capitals(name).find("LOAD") != std::string::npos;
+  return is_load && unit.dimension == kMass && unit.factor() == parse_unit("lb", kMass).factor();
+}
+
+Warning force_in_pounds(std::string_view place, std::string_view name) {
+  return {"unit_doubtful",
+          fmt::format("{}: channel {} is in lb, a unit of mass, and named as a force; it is taken "
+                      "in lbf. Write lbf",
+                      place, in_quotes(name))};
+}
+
+Unit pound_force() { return parse_unit("lbf", kForce); }
 
 }  // namespace microslip

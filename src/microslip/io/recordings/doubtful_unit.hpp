@@ -10,7 +10,7 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// Accelerations that are labelled g beside the factor 1/9.80665. Some analysers store m/s² and
+/// Units that a file may mean otherwise than it writes them. Accelerations that are labelled g beside the factor 1/9.80665. Some analysers store m/s² and
 /// write label and factor for those who want to show g; others store g. Nothing in the file tells
 /// which, and the wrong guess is off by a factor of ten: the user is asked.
 
@@ -32,5 +32,14 @@ namespace microslip {
 /// @param values  as the file has them.
 [[nodiscard]] Warning doubtful_gravity(std::string_view place, std::string_view name,
                                        std::span<const double> values);
+
+/// Whether a channel called a force or a load is in lb, which is a mass: lbf is meant.
+[[nodiscard]] bool is_force_in_pounds(std::string_view name, const Unit& unit);
+
+/// Warning on such a channel, which is taken in lbf.
+[[nodiscard]] Warning force_in_pounds(std::string_view place, std::string_view name);
+
+/// The unit lbf.
+[[nodiscard]] Unit pound_force();
 
 }  // namespace microslip

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "microslip/base/progress.hpp"
+#include "microslip/io/recordings/whole_times.hpp"
 
 /// @file
 /// Contents of a MAT file of any version.
@@ -23,6 +24,9 @@ struct MatValue {
   std::vector<std::size_t> sizes;  ///< the length along each dimension
   std::vector<double> real;        ///< kNumbers, kSparse; integers beyond 2^53 are rounded
   std::vector<double> imaginary;   ///< of the same length, or empty: real numbers
+  /// kNumbers: all digits of integers of eight bytes where one is beyond 2^53, as times since 1970;
+  /// else empty.
+  WholeNumbers whole = {};
   /// kSparse: the row of each number, from 0, and where the numbers of each column begin, with one
   /// more at the end. checked_sparse() has seen that they fit.
   std::vector<std::int64_t> row;

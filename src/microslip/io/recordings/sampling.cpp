@@ -258,6 +258,16 @@ std::optional<Warning> contradicting_rate(const PointsAxis& points,
           place, in_quotes(name), axis.step, 1.0 / axis.step, 1.0 / *stated_step)};
 }
 
+std::optional<Warning> unused_rate(const Axis& axis, std::optional<double> stated_step,
+                                   std::string_view name, std::string_view place) {
+  if (!stated_step || axis.dimension != kFrequency) return std::nullopt;
+  return Warning{
+      "axis_chosen",
+      fmt::format("{}: {} is taken for the axis, though the file states {:.6g} Hz as a sampling "
+                  "rate. Where the values are over time, give {} another name, such as 'drive'",
+                  place, in_quotes(name), 1.0 / *stated_step, in_quotes(name))};
+}
+
 void apply_unit(Channel& channel, std::string_view unit, const std::string& source,
                 std::vector<Warning>& warnings) {
   if (trimmed(unit).empty()) return;
@@ -276,9 +286,12 @@ void apply_unit(Channel& channel, std::string_view unit, const std::string& sour
     warnings.push_back(doubtful_gravity(source, channel.name, channel.values));
     return;
   }
-  channel.dimension = found->dimension;
-  scale(channel.values, *found);
-  scale(channel.imaginary, *found);
+  const bool is_force = is_force_in_pounds(channel.name, *found);
+  if (is_force) warnings.push_back(force_in_pounds(source, channel.name));
+  const Unit applied = is_force ? pound_force() : *found;
+  channel.dimension = applied.dimension;
+  scale(channel.values, applied);
+  scale(channel.imaginary, applied);
 }
 
 void add_channel(std::vector<Recording>& recordings, const std::string& source, const Axis& axis,

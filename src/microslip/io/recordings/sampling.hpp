@@ -109,6 +109,13 @@ struct PointsInFile {
                                                         std::string_view name,
                                                         std::string_view place);
 
+/// A warning where points are frequencies and the file states a rate or an interval as well: the
+/// frequencies are used.
+/// @param name  of the frequencies in the file.
+[[nodiscard]] std::optional<Warning> unused_rate(const Axis& axis,
+                                                 std::optional<double> stated_step,
+                                                 std::string_view name, std::string_view place);
+
 /// Brings values to SI by the unit that the file names. An unknown one is kept as the attribute
 /// `unit` and gives a warning unless it is one of another quantity, such as °C or V; so does a
 /// doubtful g (doubtful_unit.hpp). An empty one is none.

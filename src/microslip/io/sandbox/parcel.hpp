@@ -174,6 +174,8 @@ void pass(Parcel& parcel, MatValue& value) {
   pass(parcel, value.sizes);
   pass(parcel, value.real);
   pass(parcel, value.imaginary);
+  pass(parcel, value.whole.bits);
+  pass(parcel, value.whole.is_signed);
   pass(parcel, value.row);
   pass(parcel, value.column_start);
   pass(parcel, value.texts);
