@@ -402,5 +402,44 @@ TEST_F(LvmFiles, MayBeginWithAByteOrderMark) {
       4U);
 }
 
+// Sections of 2 ms whose clock takes 5 % longer than x: no section lags by much, all of them do.
+TEST_F(LvmFiles, TellOnceOfAClockThatLags) {
+  const auto read_lagging = [&](double share) {
+    std::string text = file_header("One");
+    for (int i = 0; i < 10; ++i) {
+      const double x = 2e-3 * i;
+      text += "Channels\t2\t\t\r\n" +
+              fmt::format("Date\t2026/11/29\t2026/11/29\t\r\nTime\t{0}\t{0}\t\r\n",
+                          fmt::format("10:00:{:09.6f}", x * (1.0 + share))) +
+              kSteps + kSection + kTwo +
+              text_of({fmt::format("{:.6f}\t1\t5", x), fmt::format("{:.6f}\t2\t6", x + 1e-3)}) +
+              "\r\n";
+    }
+    return this->read(text);
+  };
+  const Recordings read = read_lagging(0.05);
+  EXPECT_EQ(read.recordings.at(0).size(), 20U);
+  ASSERT_EQ(read.warnings.size(), 1U);
+  EXPECT_EQ(read.warnings[0].code, "time_jumps");
+  EXPECT_NE(read.warnings[0].text.find("take 0.018 s by x and 0.0189 s by Date and Time"),
+            std::string::npos)
+      << read.warnings[0].text;
+  EXPECT_TRUE(read_lagging(0.005).warnings.empty());
+}
+
+TEST_F(LvmFiles, TakeTheStepWhereAnXIsMissing) {
+  const Recordings read =
+      this->read(file_header("One") + "Channels\t2\t\t\r\n" + kSteps + kSection + kTwo +
+                 text_of({kRows[0], kRows[1], "\t3\t7", kRows[3]}));
+  EXPECT_EQ(read.recordings.at(0).axis.step, 1e-3);
+  EXPECT_EQ(read.recordings[0].channel("Force").values, (Values{1, 2, 3, 4}));
+  EXPECT_TRUE(has_warning(read, "points_missing"));
+  const std::string message = message_of<Error>([&] {
+    (void)this->read(file_header("One") + "Channels\t2\t\t\r\n" + kSection + kTwo +
+                     text_of({kRows[0], kRows[1], "\t3\t7", kRows[3]}));
+  });
+  EXPECT_NE(message.find("no x for value 3"), std::string::npos) << message;
+}
+
 }  // namespace
 }  // namespace microslip::lvm_recording_test

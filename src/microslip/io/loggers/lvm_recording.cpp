@@ -94,17 +94,23 @@ class LvmReader {
   void join_sections() {
     std::vector<LvmSection> joined;
     SectionBegin last;
+    std::vector<SectionStep> steps;  // of sections that are joined
     for (LvmSection& next : contents_.sections) {
       const SectionBegin begin{begin_of(next), start_of(next)};
       const bool by_x = !joined.empty() && goes_on(joined.back(), next, 0.0);
-      if (by_x) warn_of_jump(last, begin, next.line);
+      if (by_x && last.time && begin.time) {
+        steps.push_back({next.line, *begin.time - *last.time, begin.x - last.x});
+      }
       if (by_x || (!joined.empty() && goes_on_by_time(joined.back(), next))) {
         append(joined.back(), next);
       } else {
+        warn_of_clock(steps);
+        steps.clear();
         joined.push_back(std::move(next));
       }
       last = begin;
     }
+    warn_of_clock(steps);
     contents_.sections = std::move(joined);
   }
 
@@ -115,19 +121,56 @@ class LvmReader {
     return before && then && *then > *before && goes_on(joined, next, *then - *before);
   }
 
-  /// Where x go on and Time does neither as they do nor stays as it is.
-  void warn_of_jump(const SectionBegin& last, const SectionBegin& next, std::size_t line) {
-    constexpr double kLateClock = 1.0;  // s, as pieces are written after they were sampled
-    if (!last.time || !next.time) return;
-    const double by = *next.time - *last.time;
-    const double x = next.x - last.x;
-    if (std::min(std::abs(by), std::abs(by - x)) <= std::max(kLateClock, std::abs(x))) return;
+  /// From the begin of a section to that of the next one, whose x go on.
+  struct SectionStep {
+    std::size_t line;  ///< where the next one begins
+    double by_clock;   ///< s, by Date and Time
+    double by_x;       ///< s
+
+    [[nodiscard]] double lag() const { return by_clock - by_x; }
+    /// Whether Time does neither as x do nor stays as it is.
+    [[nodiscard]] bool is_jump() const {
+      constexpr double kLateClock = 1.0;  // s, as pieces are written after they were sampled
+      const double off = std::min(std::abs(by_clock), std::abs(lag()));
+      return off > std::max(kLateClock, std::abs(by_x));
+    }
+  };
+
+  /// Says once where Date and Time contradict the x of sections that are joined: by a jump, or by
+  /// lags of all of them that add up to more than a hundredth.
+  void warn_of_clock(const std::vector<SectionStep>& steps) {
+    if (const auto jump = std::ranges::find_if(steps, &SectionStep::is_jump); jump != steps.end()) {
+      const auto others = std::ranges::count_if(jump + 1, steps.end(), &SectionStep::is_jump);
+      result_.warnings.push_back(
+          {"time_jumps",
+           fmt::format("{}:{}: a section begins {:.6g} s {} the one before by Date and Time, and "
+                       "its x go on; they are joined{}. Split the file there where it was not "
+                       "sampled in one run",
+                       path_, jump->line, std::abs(jump->by_clock),
+                       jump->by_clock > 0.0 ? "after" : "before",
+                       others == 0 ? "" : fmt::format(", and {} more such sections", others))});
+      return;
+    }
+    constexpr std::size_t kEnough = 3;
+    constexpr double kShare = 0.01;
+    double lag = 0.0;
+    double length = 0.0;
+    for (const SectionStep& step : steps) {
+      lag += step.lag();
+      length += step.by_x;
+    }
+    const auto lags_alike = [&](const SectionStep& step) {
+      return step.by_clock > 0.0 && step.lag() * lag > 0.0;
+    };
+    const bool is_steady = steps.size() >= kEnough && std::ranges::all_of(steps, lags_alike);
+    if (!is_steady || std::abs(lag) <= kShare * std::abs(length)) return;
     result_.warnings.push_back(
         {"time_jumps",
-         fmt::format("{}:{}: a section begins {:.6g} s {} the one before by Date and Time, and its "
-                     "x go on; they are joined. Split the file there where it was not sampled in "
-                     "one run",
-                     path_, line, std::abs(by), by > 0.0 ? "after" : "before")});
+         fmt::format("{}: {} sections whose x go on take {:.4g} s by x and {:.4g} s by Date and "
+                     "Time; they are joined by their x. Either values are missing between them, or "
+                     "the sampling rate is {:.3g} % off",
+                     path_, steps.size() + 1, length, length + lag,
+                     100.0 * std::abs(lag) / std::abs(length))});
   }
 
   /// Of x, s, by the first channel.
@@ -216,7 +259,30 @@ class LvmReader {
     }
   }
 
+  /// Where one x is missing, those beside it tell it by the step that is stated.
+  void fill_missing_x(LvmSection& section) {
+    for (const LvmChannel& channel : section.channels) {
+      if (section.x.empty()) return;
+      std::vector<double>& x = section.x[channel.x].values;
+      const std::optional<double> step = stated_step(section, channel);
+      if (!step || x.empty() || !std::isfinite(x.front())) continue;
+      std::size_t missing = 0;
+      for (std::size_t i = 1; i < x.size(); ++i) {
+        if (std::isfinite(x[i])) continue;
+        x[i] = x[i - 1] + *step;
+        ++missing;
+      }
+      if (missing == 0) continue;
+      result_.warnings.push_back(
+          {"points_missing",
+           fmt::format("{}:{}: {} of the {} x of a section {} missing; each is taken to be Delta_X "
+                       "above the one before",
+                       path_, section.line, missing, x.size(), missing == 1 ? "is" : "are")});
+    }
+  }
+
   void add_section(LvmSection& section) {
+    fill_missing_x(section);
     const std::optional<double> begin = begin_of(section);
     std::vector<Recording> added;
     std::size_t starts = 0;
@@ -385,6 +451,14 @@ class LvmReader {
   bool falls(const LvmColumn& x, const Channel& channel, const LvmSection& section) {
     const auto fault = std::ranges::adjacent_find(x.values, std::not_fn(std::less<>()));
     if (fault == x.values.end()) return false;
+    const auto missing = std::ranges::find_if_not(x.values, [](double v) { return v == v; });
+    if (missing != x.values.end()) {
+      without_axis_.push_back(
+          {place_of(channel),
+           fmt::format("no x for value {} below line {}",
+                       std::distance(x.values.begin(), missing) + 1, section.line)});
+      return true;
+    }
     const std::string found =
         fmt::format("x that do not rise: {:.9g} after {:.9g}, value {} below line {}", *(fault + 1),
                     *fault, std::distance(x.values.begin(), fault) + 2, section.line);
