@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -167,10 +168,22 @@ TEST(RecordingCsvForms, LeavesOutColumnsWithoutNumbers) {
       << message;
 }
 
-// A number that is damaged is no column of text.
-TEST(RecordingCsvForms, RefusesANumberThatIsNone) {
-  EXPECT_NE(fault("time [s],a [N],b [N]\n0,1,2\n1,2x,3\n").find("r.csv:3:3: expected a finite"),
-            std::string::npos);
+// Whatever a program writes for a value that it has not: the other channels are whole.
+TEST(RecordingCsvForms, LeavesOutAColumnWithACellThatIsNoNumber) {
+  for (const std::string cell :
+       {"2x", "********", "1.#QNAN", "#WERT!", "+OVER", "\"1,104.374\"", "12 mm"}) {
+    const Recordings read = read_all("time [s],a [N],b [N]\n0,1,2\n1," + cell + ",3\n");
+    EXPECT_EQ(names_of(read.recordings.front()), Names{"b"}) << cell;
+    ASSERT_EQ(codes_of(read), Names{"channel_left_out"}) << cell;
+    EXPECT_NE(read.warnings[0].text.find("r.csv:3:"), std::string::npos) << cell;
+    EXPECT_NE(fault("time [s],a [N]\n0,1\n1," + cell + "\n")
+                  .find("expected a finite number in column 2 'a [N]'"),
+              std::string::npos)
+        << "there is no other channel";
+  }
+}
+
+TEST(RecordingCsvForms, RefusesATimeThatIsNone) {
   EXPECT_NE(fault("time [s],a [N],b [N]\n0,1,2\nend,2,3\n").find("r.csv:3:1: expected a finite"),
             std::string::npos);
 }
@@ -326,6 +339,146 @@ TEST(RecordingCsvForms, NamesQuotedDecimalCommas) {
             "r.csv:2:2: expected a finite number in column 1 'time [s]', found '0,000'. Decimal "
             "commas need ';' or tabs between the columns.");
   EXPECT_EQ(fault("time [s];force [N]\n\"0,000\";\"0,00\"\n\"0,001\";\"1,00\"\n"), "no error");
+}
+
+// As a table of HDF5, Hdf5NetCdf.TakesTheFrequencyOfATableBesideTimesThatRise: by the first rows.
+TEST(RecordingCsvForms, TakesAFrequencyBeforeASpanOfAnyName) {
+  for (const std::string mark : {",", " "}) {
+    const auto axis = [&](const std::string& span, const std::string& rows) {
+      std::string text = "frequency[Hz]," + span + ",H[m/N]\n" + rows;
+      std::ranges::replace(text, ',', mark[0]);
+      const Recordings read = read_all(text);
+      Names codes = codes_of(read);
+      codes.insert(codes.begin(), dimension_name(read.recordings.front().axis.dimension));
+      return codes;
+    };
+    const std::string rows = "20,0.1,1\n21,0.2,2\n22,0.3,5\n";
+    for (const char* span : {"settling[s]", "lag[ms]", "averaging[s]"}) {
+      EXPECT_EQ(axis(span, rows), (Names{"frequency", "axis_chosen"})) << span;
+    }
+    EXPECT_EQ(axis("settling[s]", "20,0.1,1\n21,0.1,2\n22,0.3,5\n"), Names{"frequency"});
+    EXPECT_EQ(axis("elapsed[s]", rows), Names{"time"});
+    EXPECT_EQ(axis("settling[s]", "20,0.1,1\n20,0.2,2\n22,0.3,5\n"), Names{"time"})
+        << "the frequency does not rise";
+  }
+}
+
+// The rate is the axis, as the header comes before the rows; a frequency response has it, too.
+TEST(RecordingCsvForms, SaysThatTheRateIsTheAxisBesideAFrequency) {
+  const std::string text = "# fs = 8 Hz\nfrequency [Hz],force [N]\n1,2\n2,3\n";
+  const Recordings read = read_all(text);
+  EXPECT_EQ(read.recordings.front().sampling_rate(), 8.0);
+  EXPECT_EQ(codes_of(read), Names{"axis_chosen"});
+  EXPECT_EQ(codes_of(read_all(text + "2,4\n")), Names{}) << "it stays as it is";
+}
+
+// catman (HBM) writes tabs and decimal commas below lines of its own.
+TEST(RecordingCsvForms, TakesTabsBeforeDecimalCommas) {
+  const Recordings read =
+      read_all("Created: 11.06.2024\nChannels:\t2\n\nTime [s]\tF [kN]\n0,0\t1,5\n0,5\t2,5\n");
+  EXPECT_EQ(read.recordings.front().axis.step, 0.5);
+  EXPECT_EQ(read.recordings.front().channel("F").values, (Numbers{1500, 2500}));
+  EXPECT_EQ(fault("time [s],\tforce [N]\n0.0,\t1.5\n0.5,\t2.5\n"), "no error") << "aligned";
+}
+
+// Instron and Zwick write names and units in quotes, and the former the numbers as well.
+TEST(RecordingCsvForms, TakesQuotedNamesUnitsAndRows) {
+  const std::string names = "\"Time\";\"Load\"\n";
+  for (const std::string above : {"", "\"Specimen\";\"lap 3\"\n\n", "Report\n"}) {
+    for (const std::string units : {"\"s\";\"kN\"\n", "\"(s)\";\"(kN)\"\n"}) {
+      for (const std::string rows : {"0,0;1,5\n0,5;2,5\n", "\"0.0\";\"1.5\"\n\"0.5\";\"2.5\"\n"}) {
+        const Recordings read = read_all(above + names + units + rows);
+        EXPECT_EQ(read.recordings.front().axis.step, 0.5) << above << units << rows;
+        EXPECT_EQ(read.recordings.front().channel("Load").values, (Numbers{1500, 2500}));
+      }
+    }
+  }
+  // In the character set of Windows, whose micro sign is no UTF-8.
+  const Recordings read = read_all(
+      "Pr\xFC"
+      "fer;M\nPr\xFCzeit;Weg\ns;\xB5m\n0,0;1,5\n0,5;2,5\n");
+  EXPECT_EQ(read.recordings.front().channel("Weg").dimension, kLength);
+}
+
+// Oscilloscopes write what was set, a name and a number each, above the table.
+TEST(RecordingCsvForms, TakesNoPairsForRows) {
+  const Recordings read =
+      read_all("Model,X\nInterval,0.5\nLength,600\nTime (s),Force (N)\n0.0,1\n0.5,2\n1.0,3\n");
+  EXPECT_EQ(read.recordings.front().axis.step, 0.5);
+  EXPECT_EQ(names_of(read.recordings.front()), Names{"Force"});
+  EXPECT_EQ(read_all("s,force [N]\na,1\nb,2\n", {.allow_untimed = true, .rate = 8.0})
+                .recordings.front()
+                .channel("force")
+                .values,
+            (Numbers{1, 2}))
+      << "a table of names and numbers";
+}
+
+// gfortran: D of double precision, and no letter where the exponent has three digits.
+TEST(RecordingCsvForms, ReadsExponentsOfFortran) {
+  const Recordings read = read_all(
+      "time[s] a[N] b[N]\n0.0D+00 1.5D+01 6.27905-105\n"
+      "5.0D-01 -2.5d1 -1.25+100\n1.0D+00 1.0D0 0.0\n");
+  EXPECT_EQ(read.recordings.front().axis.step, 0.5);
+  EXPECT_EQ(read.recordings.front().channel("a").values, (Numbers{15, -25, 1}));
+  EXPECT_EQ(read.recordings.front().channel("b").values, (Numbers{6.27905e-105, -1.25e100, 0}));
+}
+
+// Clocks and dates are no times in seconds: a rate serves.
+TEST(RecordingCsvForms, TakesTheRateBesideTimesInText) {
+  for (const std::string time : {"10:12:33.00", "2024-06-11 10:12:33.00"}) {
+    const std::string text = "Time,force [N]\n" + time + "0,1\n" + time + "1,2\n" + time + "2,3\n";
+    EXPECT_EQ(fault(text),
+              "r.csv:1:1: expected times as numbers in column 1 'Time', found text, '" + time +
+                  "0'. Write seconds from the start, with the unit [s], or give the "
+                  "rate by `rate`.");
+    const Recordings read = read_all(text, {.allow_untimed = true, .rate = 1000.0});
+    EXPECT_EQ(read.recordings.front().sampling_rate(), 1000.0);
+    EXPECT_EQ(names_of(read.recordings.front()), Names{"force"});
+  }
+}
+
+// numpy.savetxt(header=…) without comments=''.
+TEST(RecordingCsvForms, TakesNamesOfAComment) {
+  for (const std::string text : {"# time[s] force[kN]\n0.0 1\n0.5 2\n1.0 3\n",
+                                 "# made by me\n% time [s], force [kN]\n0.0,1\n0.5,2\n1.0,3\n"}) {
+    const Recordings read = read_all(text);
+    EXPECT_EQ(read.recordings.front().axis.step, 0.5) << text;
+    EXPECT_EQ(read.recordings.front().channel("force").values, (Numbers{1e3, 2e3, 3e3})) << text;
+    EXPECT_EQ(recording_columns(text).at(1).name, "force");
+  }
+  for (const char* text : {"# 12 channels\n0.0 1\n0.5 2\n", "0.0 1\n0.5 2\n", "0.0,1\n0.5,2\n"}) {
+    EXPECT_NE(fault(text).find("found a row of numbers"), std::string::npos) << fault(text);
+  }
+}
+
+// R: write.table() begins each row with a name that the header does not have.
+TEST(RecordingCsvForms, SkipsNamesOfRows) {
+  const Recordings read =
+      read_all("\"time [s]\" \"load cell [kN]\"\n\"1\" 0 1\n\"2\" 0.5 2\n\"3\" 1 3\n");
+  EXPECT_EQ(read.recordings.front().axis.step, 0.5);
+  EXPECT_EQ(names_of(read.recordings.front()), (Names{"row", "load cell"}));
+  EXPECT_EQ(read.recordings.front().channel("load cell").values, (Numbers{1e3, 2e3, 3e3}));
+}
+
+// Blanks within names, which two blanks or more separate.
+TEST(RecordingCsvForms, TakesNamesOfSeveralWordsBetweenBlanks) {
+  for (const std::string head : {"Time   Axial Force   Crosshead x\ns      kN            mm\n",
+                                 "Time [s]   Axial Force [kN]   Crosshead x [mm]\n"}) {
+    const Recordings read = read_all(head + "0.0   1   2\n0.5   2   3\n1.0   3   4\n");
+    EXPECT_EQ(names_of(read.recordings.front()), (Names{"Axial Force", "Crosshead x"})) << head;
+    EXPECT_EQ(read.recordings.front().channel("Axial Force").values, (Numbers{1e3, 2e3, 3e3}));
+    EXPECT_EQ(read.recordings.front().axis.step, 0.5);
+  }
+}
+
+// lb is a mass; as that of a force lbf is meant. 4.4482216152605 N by definition.
+TEST(RecordingCsvForms, TakesALoadInPoundsForAForce) {
+  const Recordings read = read_all("time [s],load (lb),mass (lb)\n0,1,1\n1,2,2\n");
+  EXPECT_EQ(read.recordings.front().channel("load").dimension, kForce);
+  EXPECT_DOUBLE_EQ(read.recordings.front().channel("load").values[0], 4.4482216152605);
+  EXPECT_EQ(read.recordings.front().channel("mass").dimension, kMass);
+  EXPECT_EQ(codes_of(read), Names{"unit_doubtful"});
 }
 
 }  // namespace

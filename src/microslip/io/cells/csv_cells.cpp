@@ -30,17 +30,38 @@ std::optional<double> parse_comma_number(std::string_view text) {
   return parse_number(copy);
 }
 
+std::optional<double> parse_fortran_number(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  constexpr std::size_t kDigitsAlone = 3;
+  const std::size_t point = text.find('.');
+  if (text.size() > kLongest || point == std::string_view::npos) return std::nullopt;
+  const std::size_t end = text.find_first_not_of("0123456789", point + 1);
+  if (end == std::string_view::npos) return std::nullopt;
+  const bool has_letter = text[end] == 'D' || text[end] == 'd';
+  const std::string_view exponent = text.substr(has_letter ? end + 1 : end);
+  const bool has_sign = exponent.starts_with('+') || exponent.starts_with('-');
+  const std::string_view digits = exponent.substr(has_sign ? 1 : 0);
+  const bool fits = has_letter || (has_sign && digits.size() == kDigitsAlone);
+  if (!fits || digits.find_first_not_of("0123456789") != digits.npos) return std::nullopt;
+  std::string number(text.substr(0, end));
+  number += 'e';
+  number += exponent;
+  return parse_number(number);
+}
+
 char find_separator(std::string_view header, char otherwise) {
   bool in_quotes = false;
   std::string outside;
-  for (const char c : header) {
+  for (const char c : trimmed(header)) {
     if (c == '"') in_quotes = !in_quotes;
-    if (!in_quotes) outside += c;
+    if (!in_quotes && c != ' ') outside += c;
   }
-  for (const char separator : {';', ',', '\t'}) {
-    if (outside.find(separator) != std::string::npos) return separator;
+  if (outside.find(';') != std::string::npos) return ';';
+  for (std::size_t at = outside.find('\t'); at < outside.size(); at = outside.find('\t', at + 1)) {
+    const bool aligns = (at > 0 && outside[at - 1] == ',') || outside[at + 1] == ',';
+    if (!aligns) return '\t';
   }
-  return otherwise;
+  return outside.find(',') == std::string::npos ? otherwise : ',';
 }
 
 bool continues_cell(std::string_view cell, std::string_view word) {

@@ -23,8 +23,12 @@ namespace microslip {
 /// The same with a decimal comma.
 [[nodiscard]] std::optional<double> parse_comma_number(std::string_view text);
 
-/// The first of `;` `,` tab that stands in the header outside of quotes; `otherwise` where none
-/// does.
+/// A number as Fortran writes it with the letter D, 1.5D+00, or without a letter where the exponent
+/// has three digits, 6.27905-105; with a decimal point.
+[[nodiscard]] std::optional<double> parse_fortran_number(std::string_view text);
+
+/// The first of `;` tab `,` that stands in the line outside of quotes; `otherwise` where none does.
+/// A tab beside a comma aligns cells, and does not separate them.
 [[nodiscard]] char find_separator(std::string_view header, char otherwise = ',');
 
 /// Whether a word between blanks belongs to the cell before it: a unit in brackets to its name, and

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <new>
 #include <optional>
 #include <string_view>
@@ -110,8 +110,12 @@ class CsvRecordingReader {
     const bool above = !table_.preamble.empty() && p < blocks_.text().data() + table_.header;
     if (!header_.has_names() && above && blocks_.first_line() == 1) {
       header_.add_preamble(line);
+    } else if (!header_.has_names() && !table_.commented.empty()) {
+      header_.read_names(table_.commented, scanner_->place(table_.commented.data()).line, table_);
+      start_rows();
+      return p;
     } else if (!header_.has_names()) {
-      header_.read_names(line, number, table_.blanks);
+      header_.read_names(line, number, table_);
     } else {
       const bool units = header_.read_units(line, number);
       start_rows();
@@ -122,7 +126,7 @@ class CsvRecordingReader {
 
   /// The header is known as a whole.
   void start_rows() {
-    header_.resolve(options_, warnings_);
+    header_.resolve(options_, table_, warnings_);
     if (table_.blanks && table_.counts) header_.check_counted_rows();
     header_resolved_ = true;
     values_.resize(header_.columns().size());
@@ -231,8 +235,10 @@ class CsvRecordingReader {
     std::optional<double> number;
     if (decimal_ != Decimal::kComma) number = parse_number(text);
     if (!number && decimal_ != Decimal::kPoint) number = parse_comma_number(text);
+    if (!number && decimal_ != Decimal::kComma) number = parse_fortran_number(text);
     if (!number) {
-      if (!may_be_left_out(text, column)) throw_no_number(p, column);
+      // A column of text or with a cell without a value is no channel, and none of the others'.
+      if (row_is_cut_ || column == header_.axis()) throw_no_number(p, column);
       left_out_[column] = no_number(p, column);
       std::vector<double>().swap(values_[column]);
       return cell.next;
@@ -243,16 +249,6 @@ class CsvRecordingReader {
     }
     value = *number;
     return cell.next;
-  }
-
-  /// A column of text, of dates, or with cells without a value is no channel: one whose first cell
-  /// is none, or is empty or stands for nothing where others are numbers.
-  [[nodiscard]] bool may_be_left_out(std::string_view text, std::size_t column) const {
-    constexpr std::array<std::string_view, 16> kNothing{
-        "",    "-",    "--",   "---",  "NAN",  "NA", "N/A",      "#N/A",
-        "INF", "-INF", "+INF", "NULL", "NONE", "OL", "OVERLOAD", "#DIV/0!"};
-    if (row_is_cut_ || column == header_.axis()) return false;
-    return rows_ == 0 || std::ranges::find(kNothing, in_capitals(text)) != kNothing.end();
   }
 
   void add_to_axis(const char* begin, const char* end, double value) {
@@ -351,6 +347,7 @@ class CsvRecordingReader {
       warn_of_other_rate(recording.axis);
     } else {
       recording.axis.step = 1.0 / *header_.sampling_rate();
+      if (!header_.is_untimed()) warn_of_frequencies();
     }
     leave_out_halves();
     for (std::size_t i = 0; i < values_.size(); ++i) {
@@ -363,6 +360,22 @@ class CsvRecordingReader {
     recordings.recordings.push_back(std::move(recording));
     if (header_.is_untimed()) note_untimed(options_, file_.name(), recordings);
     return recordings;
+  }
+
+  /// Where the rate is taken for the axis and frequencies rise, which may be it as well.
+  void warn_of_frequencies() {
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const std::string& name = header_.columns()[i].name;
+      if (left_out_[i] || axis_dimension(name) != kFrequency) continue;
+      const auto fall = std::ranges::adjacent_find(values_[i], std::greater_equal<>());
+      if (fall != values_[i].end()) continue;
+      warnings_.push_back(
+          {"axis_chosen",
+           fmt::format(
+               "{}: the sampling rate that a comment gives is taken for the axis, though {} "
+               "rises. Take the rate out where the values are over the latter",
+               file_.name(), in_quotes(name))});
+    }
   }
 
   void warn_of_other_rate(const Axis& axis) {
@@ -472,10 +485,11 @@ class CsvRecordingReader {
 std::vector<CsvColumn> recording_columns(std::string_view head) {
   if (!signature(head).empty()) return {};
   const TableStart start = find_table_start(head);
+  const bool commented = !start.commented.empty();
   RecordingCsvHeader header("");
   try {
-    header.read_names(start.names, 1, start.blanks);
-    (void)header.read_units(start.below, 2);
+    header.read_names(commented ? start.commented : start.names, 1, start);
+    if (!commented) (void)header.read_units(start.below, 2);
   } catch (const FormatError&) {
     return {};
   }

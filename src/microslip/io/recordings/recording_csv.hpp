@@ -19,16 +19,20 @@
 /// follow it (table_start.hpp). Units may stand on a line of their own below it instead, with or
 /// without brackets. A column without unit, with empty brackets or an unknown unit is a channel
 /// without dimension; the unknown unit is its attribute `unit`. Columns of one name are called by
-/// their units, `name (unit)`, else by their numbers. The separator is the first of `;` `,` tab
-/// that the header has. Below, each row has a finite number a column, with a decimal point, or,
-/// between `;` or tabs, a decimal comma throughout; cells may be quoted and one separator may end a
-/// line. A column whose first cell is no number, or one of whose cells is empty or `NaN`, `inf`,
-/// `N/A`, `-` and the like, is left out with a warning.
+/// their units, `name (unit)`, else by their numbers. The separator is `;`, else a tab, else `,`,
+/// the first of these that the header has, else blanks where they alone separate the numbers of the
+/// rows; names of several words then have two blanks or more between them. Where rows of numbers
+/// have no header, the comment above them gives the names where it has as many. Below, each row has
+/// a finite number a column, with a decimal point, or, between `;` or tabs, a decimal comma
+/// throughout, or an exponent of Fortran; cells may be quoted and one separator may end a line. A
+/// column of which a cell is no finite number is left out with a warning.
 ///
 /// The axis is a column with a unit of time or frequency, or called time, t, frequency or freq (in
 /// capitals or not), the first of those that fit best (axis_rank.hpp); one without unit is refused
 /// unless its unit is assumed. Its values rise. It is even where equal steps explain them to the
-/// digits printed (even_axis.hpp). Where there is no such column, a comment may give the rate:
+/// digits printed (even_axis.hpp). A frequency that rises in the first rows, the only one in Hz, is the
+/// axis before a column in a unit of time that is not called a time, with a warning. A column called
+/// time without a known unit whose cells are text is no axis. Where there is no such column, a comment may give the rate:
 /// `# sampling_rate: 8192 Hz`, or = for the colon, or `fs`, `sampling rate`, `sample rate`,
 /// `sampling frequency` for the name, in capitals or not; without unit it is in Hz. The first point
 /// then lies at 0.

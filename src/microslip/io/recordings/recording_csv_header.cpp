@@ -14,6 +14,7 @@
 #include "microslip/io/bytes/character_set.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/csv_cells.hpp"
+#include "microslip/io/recordings/doubtful_unit.hpp"
 #include "microslip/io/recordings/sampling.hpp"
 
 namespace microslip {
@@ -84,6 +85,17 @@ void check_separator(std::string_view text, const TextPlace& place) {
                     "but not those within a name, before or within its unit.");
 }
 
+/// Of names between two blanks or more.
+std::string with_names_in_quotes(std::string_view line) {
+  std::string quoted;
+  for (line = trimmed(line); !line.empty();) {
+    const std::size_t end = std::min(line.find("  "), line.size());
+    quoted += fmt::format("{}\"{}\"", quoted.empty() ? "" : " ", line.substr(0, end));
+    line = trimmed(line.substr(end));
+  }
+  return quoted;
+}
+
 /// The place of what begins behind `passed`, which begins at `known`.
 TextPlace place_behind(const TextPlace& known, std::string_view passed) {
   TextPlace place = place_at(passed, passed.size(), known.file);
@@ -148,9 +160,10 @@ std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string
   }
 }
 
-void RecordingCsvHeader::read_names(std::string_view line, std::size_t number, bool blanks) {
-  separator_ = blanks ? ' ' : find_separator(line);
-  cells_ = read_cells(line, number);
+void RecordingCsvHeader::read_names(std::string_view line, std::size_t number,
+                                    const TableStart& table) {
+  separator_ = table.blanks ? ' ' : find_separator(line);
+  cells_ = table.gaps ? read_cells(with_names_in_quotes(line), number) : read_cells(line, number);
   const auto is_number = [](const Cell& cell) {
     return parse_number(cell.column.name) || parse_comma_number(cell.column.name);
   };
@@ -172,7 +185,11 @@ void RecordingCsvHeader::read_names(std::string_view line, std::size_t number, b
     if (column->name.empty()) cells_[i].column.name = fmt::format("column {}", i + 1);
   }
   // Who writes blanks between names that have some quotes them.
-  words_ = separator_ == ' ' && find_separator(line, ' ') == ' ' && line.find('"') == line.npos;
+  words_ = separator_ == ' ' && find_separator(line, ' ') == ' ' && line.find('"') == line.npos &&
+           !table.gaps;
+  if (table.row_names) {
+    cells_.insert(cells_.begin(), {{.name = "row", .unit = "1"}, cells_.front().place});
+  }
 }
 
 /// A name of two words over one column and a column without a name look as two names do.
@@ -305,18 +322,56 @@ std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& ass
   return best;
 }
 
-void RecordingCsvHeader::resolve(const RecordingReadOptions& options,
+void RecordingCsvHeader::prefer_frequency(const AssumedUnits& assumed,
+                                          const std::vector<bool>& rising,
+                                          std::vector<Warning>& warnings) {
+  const RecordingColumn& time = columns_[*axis_];
+  if (axis_rank(*axis_, assumed) != AxisRank::kTimeUnit || is_named_as_time(time.name)) return;
+  const auto rises = [&](std::size_t i) { return i < rising.size() && rising[i]; };
+  std::optional<std::size_t> frequency;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].dimension != kFrequency || !rises(i)) continue;
+    ++found;
+    if (axis_rank(i, assumed) == AxisRank::kNamedFrequency) frequency = i;
+  }
+  if (found != 1 || !frequency) return;
+  if (rises(*axis_)) {
+    warnings.push_back(
+        {"axis_chosen",
+         fmt::format("{}: {} is taken for the axis, though {} rises in a unit of time. Name the "
+                     "latter 'time' where it is the axis",
+                     place_text(cells_[*frequency].place), in_quotes(columns_[*frequency].name),
+                     in_quotes(time.name))});
+  }
+  axis_ = frequency;
+}
+
+void RecordingCsvHeader::resolve(const RecordingReadOptions& options, const TableStart& table,
                                  std::vector<Warning>& warnings) {
   if (words_) check_words();
   tell_names_apart(warnings);
-  for (std::size_t i = 0; i < cells_.size(); ++i) columns_.push_back(resolve_column(i));
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    RecordingColumn& column = columns_.emplace_back(resolve_column(i));
+    if (!column.dimension || !is_force_in_pounds(column.name, column.unit)) continue;
+    column.unit = pound_force();
+    column.dimension = column.unit.dimension;
+    warnings.push_back(force_in_pounds(place_text(cells_[i].place), column.name));
+  }
   axis_ = find_axis(options.assumed_units);
+  if (axis_) prefer_frequency(options.assumed_units, table.rising, warnings);
+  const bool may_be_text = axis_ && *axis_ < table.texts.size() && !columns_[*axis_].dimension;
+  if (may_be_text && !table.texts[*axis_].empty()) {
+    text_time_ = table.texts[*axis_];
+    text_times_ = std::exchange(axis_, std::nullopt);
+  }
   if (axis_) resolve_axis(options.assumed_units);
   warn_of_unknown_units(warnings);
   if (!axis_ && !rate_ && options.allow_untimed && (cells_.size() > 1 || options.rate)) {
     rate_ = options.rate.value_or(1.0);
     untimed_ = true;
   }
+  if (!axis_ && !rate_ && text_times_) throw_text_times();
   if (!axis_ && !rate_) throw_no_axis();
   if (axis_ && columns_.size() < 2) {
     throw FormatError(cells_.front().place, "a column in addition to the axis",
@@ -367,6 +422,13 @@ void RecordingCsvHeader::throw_no_axis() const {
                           "separated by commas, semicolons or tabs. Or give the rate by `rate`."
                         : "Name it with its unit, or give the rate by `rate` or in a comment line "
                           "such as '# sampling_rate: 8192 Hz'.");
+}
+
+void RecordingCsvHeader::throw_text_times() const {
+  throw FormatError(cells_[*text_times_].place,
+                    fmt::format("times as numbers in {}", label(*text_times_)),
+                    fmt::format("text, {}", in_quotes(text_time_)),
+                    "Write seconds from the start, with the unit [s], or give the rate by `rate`.");
 }
 
 std::string RecordingCsvHeader::label(std::size_t i) const {

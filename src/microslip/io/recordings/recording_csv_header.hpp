@@ -13,6 +13,7 @@
 #include "microslip/io/recordings/assumed_units.hpp"
 #include "microslip/io/recordings/axis_rank.hpp"
 #include "microslip/io/recordings/recordings.hpp"
+#include "microslip/io/recordings/table_start.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -44,11 +45,11 @@ class RecordingCsvHeader {
   void add_preamble(std::string_view line);
 
   /// The line of names; a column without one is called by its number.
-  /// @param number  of the line. @param blanks  whether these alone separate columns of the rows;
-  ///                the names may have another separator.
+  /// @param number  of the line. @param table  tells whether blanks alone separate columns of the
+  ///                rows, where the names may have another separator, and how names stand.
   /// @throws FormatError  where all cells are numbers, or columns are separated by blanks and no
   ///                      rows are so.
-  void read_names(std::string_view line, std::size_t number, bool blanks);
+  void read_names(std::string_view line, std::size_t number, const TableStart& table);
 
   /// The first line below it. False where that is no line of units: some names have units already,
   /// or a cell is a number other than 1, or none is a unit or in brackets.
@@ -61,8 +62,12 @@ class RecordingCsvHeader {
   /// @throws FormatError  where the unit of the axis is unknown or missing, there is no axis or
   ///                      nothing beside it, or a word between blanks may be a name or the
   ///                      beginning of the next one.
+  /// A frequency that rises is the axis before a column in a unit of time that is not called a
+  /// time, with a warning; a column called time whose cells are text is no axis.
   /// @param options  where a rate is stated a single column may be a channel, too.
-  void resolve(const RecordingReadOptions& options, std::vector<Warning>& warnings);
+  /// @param table    the first rows.
+  void resolve(const RecordingReadOptions& options, const TableStart& table,
+               std::vector<Warning>& warnings);
 
   /// Where the first cells of rows count these: such a number may have no name, so that words are
   /// the names of the columns behind.
@@ -98,8 +103,11 @@ class RecordingCsvHeader {
   [[nodiscard]] std::optional<AxisRank> axis_rank(std::size_t column,
                                                   const AssumedUnits& assumed) const;
   [[nodiscard]] std::optional<std::size_t> find_axis(const AssumedUnits& assumed) const;
+  void prefer_frequency(const AssumedUnits& assumed, const std::vector<bool>& rising,
+                        std::vector<Warning>& warnings);
   void resolve_axis(const AssumedUnits& assumed);
   [[noreturn]] void throw_no_axis() const;
+  [[noreturn]] void throw_text_times() const;
 
   std::string file_;
   char separator_ = ',';
@@ -107,6 +115,8 @@ class RecordingCsvHeader {
   std::vector<Cell> cells_;
   std::vector<RecordingColumn> columns_;
   std::optional<std::size_t> axis_;
+  std::optional<std::size_t> text_times_;  ///< a column called time whose cells are text
+  std::string text_time_;                  ///< the first of them
   std::optional<double> rate_;
   bool untimed_ = false;
   Attributes attributes_;

@@ -2,10 +2,13 @@
 #include "microslip/io/recordings/table_start.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "microslip/base/units.hpp"
+#include "microslip/io/bytes/character_set.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/csv_cells.hpp"
 #include "microslip/io/recordings/assumed_units.hpp"
@@ -22,13 +25,20 @@ struct TableLine {
   std::vector<std::string_view> cells = {};
   std::size_t numbers = 0;  ///< of the cells
   bool blanks = false;      ///< whether they are numbers with nothing but blanks between them
+  bool gaps = false;        ///< whether two blanks or more separate its cells
 };
+
+std::optional<double> number_in(std::string_view cell) {
+  std::optional<double> number = parse_number(cell);
+  if (!number) number = parse_comma_number(cell);
+  return number ? number : parse_fortran_number(cell);
+}
 
 /// Those that are not finite count: they stand in rows.
 bool is_number_cell(std::string_view cell) {
   std::string capitals = in_capitals(cell);
   if (capitals.starts_with('+') || capitals.starts_with('-')) capitals.erase(0, 1);
-  return parse_number(cell) || parse_comma_number(cell) || capitals == "NAN" || capitals == "INF";
+  return number_in(cell) || capitals == "NAN" || capitals == "INF";
 }
 
 /// The cells of a line between blanks; blanks may stand in quotes, within and before brackets.
@@ -50,15 +60,21 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// Whether the line is a row of numbers with nothing but blanks between them.
+/// Whether the line is a row of numbers with nothing but blanks between them. The first may be in
+/// quotes, as the names of rows are.
 bool split_by_blanks(TableLine& line) {
-  if (line.text.find_first_of(",;\t\"") != std::string_view::npos) return false;
+  if (line.text.find_first_of(",;\t") != std::string_view::npos) return false;
   std::vector<std::string_view> words = words_of(line.text);
   if (words.size() < 2 || !std::ranges::all_of(words, is_number_cell)) return false;
   line.cells = std::move(words);
   line.numbers = line.cells.size();
   line.blanks = true;
   return true;
+}
+
+std::string_view without_quotes(std::string_view cell) {
+  const bool quoted = cell.size() > 1 && cell.front() == '"' && cell.back() == '"';
+  return quoted ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
 void split(TableLine& line) {
@@ -70,16 +86,22 @@ void split(TableLine& line) {
     const bool end = i == line.text.size();
     if (!end && line.text[i] == '"') in_quotes = !in_quotes;
     if (!end && (in_quotes || line.text[i] != separator)) continue;
-    line.cells.push_back(trimmed(line.text.substr(begin, i - begin)));
+    line.cells.push_back(without_quotes(trimmed(line.text.substr(begin, i - begin))));
     begin = i + 1;
   }
   if (line.cells.size() > 1 && line.cells.back().empty()) line.cells.pop_back();
   line.numbers = static_cast<std::size_t>(std::ranges::count_if(line.cells, is_number_cell));
 }
 
-/// Lines that are neither blank nor comments.
-std::vector<TableLine> lines_of(std::string_view text) {
-  std::vector<TableLine> lines;
+/// The beginning of a text.
+struct TableLines {
+  std::vector<TableLine> lines = {};  ///< neither blank nor comments
+  TableLine comment = {};             ///< the last one above them, without its mark
+};
+
+TableLines lines_of(std::string_view text) {
+  TableLines found;
+  std::vector<TableLine>& lines = found.lines;
   const std::size_t start = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
   for (std::size_t at = start; at < text.size() && lines.size() < kMostLines;) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -91,10 +113,13 @@ std::vector<TableLine> lines_of(std::string_view text) {
     if (!inside.empty() && !comment) {
       lines.push_back({line, at});
       split(lines.back());
+    } else if (comment && lines.empty()) {
+      found.comment = {inside.substr(inside.starts_with("//") ? 2 : 1), at};
+      split(found.comment);
     }
     at = end + 1;
   }
-  return lines;
+  return found;
 }
 
 /// At least half of its cells are numbers; dates, remarks and empty cells may stand among them.
@@ -102,9 +127,21 @@ bool is_row(const TableLine& line) {
   return line.numbers > 0 && 2 * line.numbers >= line.cells.size();
 }
 
+/// A name and a value, as programs write them above a table.
+bool is_pair(const TableLine& line) {
+  return line.cells.size() == 2 && line.numbers == 1 && !number_in(line.cells.front()) &&
+         line.cells.front().find_first_of("0123456789") == std::string_view::npos;
+}
+
+bool is_whole_row(const TableLine& line) {
+  return line.cells.size() > 1 && line.numbers == line.cells.size();
+}
+
+/// In any character set.
 bool is_unit_cell(std::string_view cell) {
   const bool brackets = cell.size() > 1 && (cell.front() == '[' || cell.front() == '(');
-  return brackets || find_unit(cell) || is_other_unit(cell);
+  const std::string text = to_utf8(std::string(cell));
+  return brackets || find_unit(text) || is_other_unit(text);
 }
 
 bool names_time(std::string_view cell) {
@@ -124,14 +161,48 @@ bool is_header(const TableLine& line, std::size_t columns) {
   return line.cells.size() == columns && line.numbers == 0;
 }
 
-/// The line as one of a table like that of a row.
+/// The cells of a line between two blanks or more.
+std::vector<std::string_view> gapped_cells(std::string_view text) {
+  std::vector<std::string_view> cells;
+  text = trimmed(text);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find("  "), text.size());
+    cells.push_back(text.substr(0, end));
+    text = trimmed(text.substr(end));
+  }
+  return cells;
+}
+
+/// The line as one of a table like that of a row; names of several words may have more than one
+/// blank between them.
 TableLine as_in_table_of(const TableLine& row, const TableLine& line) {
   if (!row.blanks || find_separator(line.text, ' ') != ' ') return line;
-  return {.text = line.text,
-          .offset = line.offset,
-          .cells = words_of(line.text),
-          .numbers = line.numbers,
-          .blanks = true};
+  TableLine split{.text = line.text,
+                  .offset = line.offset,
+                  .cells = words_of(line.text),
+                  .numbers = line.numbers,
+                  .blanks = true};
+  std::vector<std::string_view> gapped = gapped_cells(line.text);
+  split.gaps = split.cells.size() != gapped.size() && gapped.size() == row.cells.size() &&
+               line.text.find('"') == std::string_view::npos;
+  if (split.gaps) split.cells = std::move(gapped);
+  return split;
+}
+
+/// Which columns rise in the rows from `first` on, as far as they are seen.
+std::vector<bool> rising_columns(const std::vector<TableLine>& lines, std::size_t first) {
+  if (first >= lines.size()) return {};
+  const std::size_t columns = lines[first].cells.size();
+  std::vector<bool> rising(columns, true);
+  std::vector<double> last(columns, -std::numeric_limits<double>::infinity());
+  for (std::size_t i = first; i < lines.size() && lines[i].cells.size() == columns; ++i) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const std::optional<double> number = number_in(lines[i].cells[column]);
+      rising[column] = rising[column] && number && *number > last[column];
+      last[column] = number.value_or(last[column]);
+    }
+  }
+  return rising;
 }
 
 /// Whether the first cells of the rows from `first` on are 0, 1, 2, … or 1, 2, 3, …
@@ -147,35 +218,80 @@ bool counts_rows(const std::vector<TableLine>& lines, std::size_t first) {
   return true;
 }
 
+std::vector<std::string> texts_of(const TableLine& row) {
+  std::vector<std::string> texts;
+  for (const std::string_view cell : row.cells) {
+    texts.emplace_back(is_number_cell(cell) ? std::string_view() : cell);
+  }
+  return texts;
+}
+
+/// Where names stand in a comment above rows of numbers, or there are none.
+std::optional<TableStart> start_without_header(const TableLines& found) {
+  const std::vector<TableLine>& lines = found.lines;
+  const bool numbers = lines.size() > 1 && is_whole_row(lines[0]) && is_whole_row(lines[1]) &&
+                       lines[0].cells.size() == lines[1].cells.size();
+  if (!numbers) return std::nullopt;
+  TableStart start{.preamble = {},
+                   .header = lines[0].offset,
+                   .names = lines[0].text,
+                   .below = lines[1].text,
+                   .blanks = lines[0].blanks};
+  const TableLine comment = as_in_table_of(lines[0], found.comment);
+  const bool names = is_header(comment, lines[0].cells.size()) &&
+                     std::ranges::none_of(comment.cells, is_number_cell);
+  if (names) start.commented = comment.text;
+  start.gaps = names && comment.gaps;
+  start.rising = rising_columns(lines, 0);
+  return start;
+}
+
 }  // namespace
 
 TableStart find_table_start(std::string_view text) {
-  const std::vector<TableLine> lines = lines_of(text);
+  const TableLines found = lines_of(text);
+  const std::vector<TableLine>& lines = found.lines;
+  if (auto start = start_without_header(found)) return *std::move(start);
+  const auto has_time = [](const TableLine& line) {
+    return std::ranges::any_of(line.cells, names_time);
+  };
   for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
     const std::size_t columns = lines[i].cells.size();
     if (!is_row(lines[i]) || !is_row(lines[i + 1]) || lines[i + 1].cells.size() != columns)
       continue;
+    const bool pairs = is_pair(lines[i]) && is_pair(lines[i + 1]);
+    if (pairs &&
+        std::any_of(lines.begin() + static_cast<std::ptrdiff_t>(i), lines.end(), is_whole_row)) {
+      continue;
+    }
     const TableLine last = as_in_table_of(lines[i], lines[i - 1]);
-    if (!is_header(last, columns)) continue;
+    const bool row_names =
+        lines[i].blanks && is_header(last, columns - 1) && trimmed(lines[i].text).starts_with('"');
+    if (!is_header(last, columns) && !row_names) continue;
     const TableLine above = i > 1 ? as_in_table_of(lines[i], lines[i - 2]) : TableLine{};
     const bool units = is_header(above, columns) && is_unit_line(last, above);
     const std::size_t header = units ? i - 2 : i - 1;
-    const auto has_time = [](const TableLine& l) {
-      return std::ranges::any_of(l.cells, names_time);
-    };
     if (has_time(lines[0]) && !has_time(units ? above : last))
       break;  // the first line is the header
-    TableStart start{{},
-                     lines[header].offset,
-                     lines[header].text,
-                     lines[header + 1].text,
-                     lines[i].blanks,
-                     counts_rows(lines, i)};
+    TableStart start{.preamble = {},
+                     .header = lines[header].offset,
+                     .names = lines[header].text,
+                     .below = lines[header + 1].text,
+                     .blanks = lines[i].blanks,
+                     .counts = counts_rows(lines, i),
+                     .gaps = units ? above.gaps : last.gaps,
+                     .row_names = row_names};
     for (std::size_t k = 0; k < header; ++k) start.preamble.push_back(lines[k].text);
+    start.rising = rising_columns(lines, i);
+    start.texts = texts_of(lines[i]);
     return start;
   }
   if (lines.size() < 2) return {};
-  return {{}, lines[0].offset, lines[0].text, lines[1].text};
+  TableStart start{{}, lines[0].offset, lines[0].text, lines[1].text};
+  const auto row = std::ranges::find_if(lines.begin() + 1, lines.end(), is_row);
+  start.rising = rising_columns(lines, static_cast<std::size_t>(row - lines.begin()));
+  if (row != lines.end()) start.texts = texts_of(*row);
+  return start;
 }
 
 }  // namespace microslip

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,12 @@ struct TableStart {
   std::string_view below = {};             ///< the next one, which may have the units
   bool blanks = false;                     ///< whether blanks alone separate the columns
   bool counts = false;                     ///< whether its first cells count the rows
+  bool gaps = false;                       ///< whether two blanks or more separate the names
+  bool row_names = false;           ///< whether each row begins with a name of its own, in quotes
+  std::string_view commented = {};  ///< names in a comment above rows without a header
+  std::vector<bool> rising = {};    ///< by column, whether the first rows rise
+  /// By column, the cell of the first row where it is no number, else empty.
+  std::vector<std::string> texts = {};
 };
 
 /// @param text  the beginning of the file, whole lines.
