@@ -185,5 +185,37 @@ TEST(MeshFileFault, IsNamedByItsPlace) {
             "mesh:2:1: expected the number of a node in column 1 'node [1]', found '1.5'");
 }
 
+// As gmsh 4.8 writes physical groups with "Save groups of nodes": nodes (7) and elements (8).
+TEST(MeshFile, TakesGroupsOfUniversalFilesForSets) {
+  const auto number = [](int n) { return fmt::format("{:10}", n); };
+  const auto line = [&](const std::vector<int>& numbers) {
+    std::string text;
+    for (const int n : numbers) text += number(n);
+    return text + "\n";
+  };
+  const std::string node = line({1, 1, 1, 11}) + fmt::format("{:25}{:25}{:25}\n", 0.5, 0.0, 0.0);
+  const std::string text =
+      "    -1\n  2411\n" + node + "    -1\n    -1\n  2477\n" + line({1, 0, 0, 0, 0, 0, 0, 3}) +
+      "fix\n" + line({7, 9, 0, 0, 8, 4, 0, 0}) + line({7, 1, 0, 0}) +
+      line({2, 0, 0, 0, 0, 0, 0, 1}) + "bar\n" + line({8, 4, 0, 0}) + "    -1\n";
+  const MeshFile mesh = mesh_of(text);
+  EXPECT_EQ(mesh.nodes.size(), 1U);
+  ASSERT_EQ(mesh.sets.size(), 1U) << "one has nodes";
+  EXPECT_EQ(mesh.sets[0].name, "fix");
+  EXPECT_EQ(mesh.sets[0].nodes, (Nodes{1, 9}));
+}
+
+TEST(MeshFileFault, NamesAMeshThatIsNotRead) {
+  const auto fault = [](const std::string& text) {
+    return message_of<FormatError>([&] { (void)mesh_of(text); });
+  };
+  EXPECT_NE(fault("$MeshFormat\n4.1 0 8\n").find("found a mesh of gmsh. In gmsh save it as .inp"),
+            std::string::npos);
+  EXPECT_NE(fault("# vtk DataFile Version 2.0\nbar\nASCII\n").find("found a mesh of VTK"),
+            std::string::npos);
+  EXPECT_NE(fault("GRID    1       0       0.00E+00\n").find("found bulk data of Nastran"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace microslip::mesh_file_test

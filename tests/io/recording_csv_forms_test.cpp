@@ -481,5 +481,24 @@ TEST(RecordingCsvForms, TakesALoadInPoundsForAForce) {
   EXPECT_EQ(codes_of(read), Names{"unit_doubtful"});
 }
 
+// What is not text is named, with the way out.
+TEST(RecordingCsvForms, NamesSoundsAndArchivesOfOthers) {
+  const auto named = [&](const std::string& head, const std::string& name) {
+    EXPECT_NE(fault(head + std::string(40, '\0')).find(name), std::string::npos) << fault(head);
+  };
+  named("fLaC", "found a FLAC sound file. Make it WAV: sndfile-convert");
+  named(".snd", "found an AU sound file");
+  named("caff", "found a CAF sound file");
+  named("riff\x2E\x91\xCF\x11", "found a Wave64 sound file");
+  named(std::string("FORM\0\0\x10\0AIFF", 12), "found an AIFF sound file. Make it WAV");
+  named("\x80\x05\x95", "found a pickle of Python. Save its table as CSV");
+  std::string archive("PK\x03\x04", 4);
+  archive.append(22, '\0').append(
+      "\x05\0\0\0"
+      "a.npy",
+      9);
+  named(archive, "found an NPZ archive of NumPy");
+}
+
 }  // namespace
 }  // namespace microslip::recording_csv_forms_test

@@ -374,5 +374,42 @@ TEST(SteppedSineFile, ReadsFrequencyResponsesOfAStruct) {
             std::string::npos);
 }
 
+// As test systems write a sweep: names in any spelling, lines above, units on a line of their own,
+// decimal commas, blanks, a time beside it. 1 g = 9.80665 m/s^2.
+TEST(SteppedSineFile, ReadsTablesOfTestSystems) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sweep.txt");
+  for (const std::string text :
+       {"Sine test: level 0;;;\nFrequency;Force;Acceleration;Phase\nHz;mN;g;deg\n"
+        "80,5;500;1;-10\n80,0;250;2;-90\n79,5;250;2;-120\n",
+        "frequency[Hz] force[mN] acceleration[g] phase[deg]\n80.5 500 1 -10\n80.0 250 2 -90\n"
+        "79.5 250 2 -120\n",
+        "Sweep 3\nFreq (Hz),Force (N),Acc (g),Phase angle (deg)\n80.5,0.5,1,-10\n80,0.25,2,-90\n"
+        "79.5,0.25,2,-120\n",
+        "time [s],frequency [Hz],force [mN],acceleration [g],phase [deg]\n0,80.5,500,1,-10\n"
+        "1,80,250,2,-90\n2,79.5,250,2,-120\n"}) {
+    test::put(path, text);
+    ASSERT_TRUE(is_stepped_sine(path)) << text;
+    const std::vector<SteppedSine> sweeps = sweeps_in(path);
+    ASSERT_EQ(sweeps.size(), 1U);
+    EXPECT_EQ(sweeps[0].frequency, (Numbers{80.5, 80.0, 79.5})) << text;
+    EXPECT_EQ(sweeps[0].force, (Numbers{0.5, 0.25, 0.25})) << text;
+    EXPECT_DOUBLE_EQ(sweeps[0].acceleration[1], 2 * 9.80665);
+    EXPECT_DOUBLE_EQ(sweeps[0].phase[1], -std::numbers::pi / 2);
+  }
+  test::put(path, "Freq (Hz),Force (N),Acc (g)\n80.5,0.5,1\n80,0.25,2\n");
+  EXPECT_NE(message_of<FormatError>([&] { return sweeps_in(path); }).find("with phase [rad]"),
+            std::string::npos);
+  test::put(
+      path,
+      "Sweep\nFreq (Hz),Force 1 (N),Force 2 (N),Acc (g),Phase (deg)\n80,1,1,1,1\n81,1,1,1,1\n");
+  EXPECT_NE(message_of<FormatError>([&] {
+              return sweeps_in(path);
+            }).find("expected one column of the force of a stepped sine, found 2"),
+            std::string::npos);
+  test::put(path, "Time (s),Force (N),Acc (g)\n0,0.5,1\n1,0.25,2\n");
+  EXPECT_FALSE(is_stepped_sine(path)) << "a record";
+}
+
 }  // namespace
 }  // namespace microslip::stepped_sine_file_test

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -20,8 +22,10 @@
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/mat/mat_value.hpp"
 #include "microslip/io/open/recording_file.hpp"
+#include "microslip/io/recordings/recording_csv.hpp"
 #include "microslip/io/tables/column_rules.hpp"
 #include "microslip/io/tables/csv.hpp"
+#include "microslip/signal/recording/quantity_name.hpp"
 
 namespace microslip {
 namespace {
@@ -41,14 +45,54 @@ std::string_view acceleration_field(const std::vector<std::string>& fields) {
 }
 
 /// Whether names are those of a sweep, or of one that lacks a part: steps of frequency and force
-/// with a motion or a phase, and not over time.
+/// with a motion or a phase, and not over time unless there is a phase.
 bool are_of_sweep(const std::vector<std::string>& names) {
   const auto has_any = [&](std::initializer_list<std::string_view> wanted) {
     return std::ranges::any_of(wanted,
                                [&](std::string_view name) { return has_all(names, {name}); });
   };
-  return has_all(names, {"frequency", "force"}) && !has_any({"time"}) &&
+  return has_all(names, {"frequency", "force"}) && (!has_any({"time"}) || has_any({"phase"})) &&
          has_any({"acceleration", "amplitude", "velocity", "displacement", "phase"});
+}
+
+/// What a column of a sweep is called in files of microslip, by a name in any spelling: `Freq`,
+/// `Force 1`, `Phase angle`.
+std::string known_name(const std::string& name) {
+  constexpr std::array<std::pair<Dimension, std::string_view>, 6> kNames{
+      {{kFrequency, "frequency"},
+       {kForce, "force"},
+       {kAcceleration, "acceleration"},
+       {kVelocity, "velocity"},
+       {kLength, "displacement"},
+       {kTime, "time"}}};
+  if (in_capitals(name).find("PHASE") != std::string::npos) return "phase";
+  const std::optional<Dimension> quantity = quantity_of_name(name);
+  for (const auto& [dimension, known] : kNames) {
+    if (quantity == dimension) return std::string(known);
+  }
+  return name;
+}
+
+/// The names in the table of a sweep as a logger writes it: in any spelling, below other lines, with
+/// units on a line of their own, between blanks.
+std::vector<std::string> known_names(std::string_view head) {
+  std::vector<std::string> names;
+  for (const CsvColumn& column : recording_columns(head)) {
+    names.push_back(known_name(column.name));
+  }
+  return names;
+}
+
+/// Whether a table is in the form of microslip itself: names as above, in the first line that is no
+/// comment, with their units.
+bool is_own_table(std::string_view head) {
+  std::vector<std::string> names;
+  bool has_units = false;
+  for (const CsvColumn& column : csv_columns(head)) {
+    names.push_back(column.name);
+    has_units = has_units || column.unit;
+  }
+  return has_units && are_of_sweep(names);
 }
 
 /// Conversion of a displacement or velocity to acceleration.
@@ -122,6 +166,39 @@ SteppedSine read_element(const MatVariable& file, const std::string& variable,
           .phase = numbers("phase", units[3])};
 }
 
+/// By the reader of tables that recordings use.
+SteppedSine parse_logged_sine(std::string text, const std::string& name) {
+  InputStream file(std::move(text), name);
+  Recordings read = read_recordings_csv(file, {.no_axis = true});
+  Recording& recording = read.recordings.front();
+  std::vector<std::string> names;
+  for (Channel& channel : recording.channels) {
+    channel.name = known_name(channel.name);
+    names.push_back(channel.name);
+  }
+  for (LeftOutChannel& channel : recording.left_out) channel.name = known_name(channel.name);
+  require_parts(names, {.file = name}, "columns");
+  const std::array<std::string_view, 4> parts{"frequency", "force", acceleration_field(names),
+                                              "phase"};
+  for (const std::string_view part : parts) {
+    if (std::ranges::count(names, part) == 1) continue;
+    throw FormatError({.file = name}, fmt::format("one column of the {} of a stepped sine", part),
+                      fmt::format("{}", std::ranges::count(names, part)),
+                      "Keep the columns of one sweep at the point that is driven.");
+  }
+  const auto values = [&](std::size_t part) {
+    const std::span<const double> of_channel = recording.signal(parts[part], kDimensions[part]);
+    return std::vector<double>(of_channel.begin(), of_channel.end());
+  };
+  SteppedSine sweep{.source = name,
+                    .frequency = values(0),
+                    .force = values(1),
+                    .acceleration = values(2),
+                    .phase = values(3)};
+  check_stepped_sine(sweep);
+  return sweep;
+}
+
 /// Whether it is a universal file over frequencies.
 bool is_response_sweep(std::string_view head) {
   return signature(head) == recording_kind(RecordingFormat::kUff) && is_over_frequency(head);
@@ -143,13 +220,17 @@ bool is_stepped_sine_table(std::string_view head) {
   if (is_response_sweep(head)) return true;
   try {
     const KnownKind* const known = known_kind_of(head);
-    return (known == nullptr || known->is_recording) && are_of_sweep(csv_column_names(head));
+    if (known != nullptr && !known->is_recording) return false;
+    if (is_own_table(head)) return true;
+    const std::vector<std::string> names = known_names(head);  // of spectra, too: a phase tells
+    return are_of_sweep(names) && has_all(names, {"phase"});
   } catch (const Error&) {  // no table
     return false;
   }
 }
 
 SteppedSine parse_stepped_sine(std::string text, const std::string& name) {
+  if (!is_own_table(text)) return parse_logged_sine(std::move(text), name);
   const CsvTable table(std::move(text), name);
   std::vector<std::string> names;
   for (const CsvColumn& column : table.columns()) names.push_back(column.name);

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <string_view>
+#include <utility>
 
 #include "microslip/io/bytes/input_name.hpp"
 #include "microslip/io/bytes/open_input.hpp"
@@ -16,6 +17,9 @@ InputStream::InputStream(const std::string& path)
   const off_t begin = ::lseek(file_.number(), 0, SEEK_CUR);
   if (begin >= 0) begin_ = static_cast<std::size_t>(begin);
 }
+
+InputStream::InputStream(std::string text, std::string name)
+    : name_(std::move(name)), file_(-1), size_(text.size()), peeked_(std::move(text)) {}
 
 std::size_t InputStream::read(char* buffer, std::size_t size) {
   const std::size_t known = peeked_.copy(buffer, size);
@@ -33,7 +37,7 @@ std::string_view InputStream::peek(std::size_t size) {
 
 std::size_t InputStream::read_file(char* buffer, std::size_t size) {
   std::size_t done = 0;
-  while (done < size) {
+  while (file_.is_open() && done < size) {
     const ssize_t count = ::read(file_.number(), buffer + done, size - done);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail_reading(name_, errno);

@@ -17,6 +17,10 @@ class InputStream {
   /// @throws FileError  where it does not exist, is a folder or may not be read.
   explicit InputStream(const std::string& path);
 
+  /// A text that has been read, as if it were the file.
+  /// @param name  how messages call it.
+  InputStream(std::string text, std::string name);
+
   /// How messages call it.
   [[nodiscard]] const std::string& name() const { return name_; }
 

@@ -16,6 +16,9 @@ using std::literals::operator""sv;
 
 constexpr std::string_view kRight = "Is it the right file?";
 constexpr std::string_view kUnpack = "Unpack it first.";
+constexpr std::string_view kToWav = "Make it WAV: sndfile-convert IN OUT.wav, of libsndfile.";
+constexpr std::string_view kFromPickle =
+    "Save its table as CSV: pandas.read_pickle(FILE).to_csv(OUT).";
 constexpr std::string_view kExport = "Export it to CSV, MATLAB (v7) or HDF5.";
 
 /// A format that is not read has its way out.
@@ -31,6 +34,14 @@ constexpr std::array kBinary{
     Signature{"MATLAB 7.3 MAT-file"sv, "a MATLAB file"},
     Signature{"MATLAB 5.0 MAT-file"sv, "a MATLAB file"},
     Signature{"%PDF-"sv, "a PDF document"},
+    Signature{"fLaC"sv, "a FLAC sound file", kToWav},
+    Signature{".snd"sv, "an AU sound file", kToWav},
+    Signature{"caff\0"sv, "a CAF sound file", kToWav},
+    Signature{"riff\x2E\x91\xCF\x11"sv, "a Wave64 sound file", kToWav},
+    Signature{"\x80\x02}"sv, "a pickle of Python", kFromPickle},
+    Signature{"\x80\x03}"sv, "a pickle of Python", kFromPickle},
+    Signature{"\x80\x04\x95"sv, "a pickle of Python", kFromPickle},
+    Signature{"\x80\x05\x95"sv, "a pickle of Python", kFromPickle},
     Signature{"PK\x03\x04"sv, "a ZIP archive or a spreadsheet",
               "Save a spreadsheet as CSV; unpack an archive."},
     Signature{"\x1F\x8B"sv, "a gzip archive", kUnpack},
@@ -65,6 +76,11 @@ constexpr std::array kBinary{
 
 constexpr Signature kLvm{"LabVIEW Measurement"sv, "an LVM file of LabVIEW"};
 constexpr Signature kWav{"", "a WAV file"};
+constexpr Signature kAiff{"", "an AIFF sound file", kToWav};
+constexpr Signature kNpz{
+    "", "an NPZ archive of NumPy",
+    "Save a recording by scipy.io.savemat(FILE, {'fs': …, 'x': …}), a matrix by "
+    "scipy.io.mmwrite(FILE, A)."};
 constexpr Signature kBzip2{"", "a bzip2 archive", kUnpack};
 constexpr Signature kMat4{"", "a MAT file of version 4"};
 
@@ -83,6 +99,21 @@ bool is_wav(std::string_view head) {
   constexpr std::array kStarts{"RIFF"sv, "RIFX"sv, "RF64"sv, "BW64"sv};
   const bool starts = std::ranges::find(kStarts, head.substr(0, 4)) != kStarts.end();
   return starts && head.size() >= 12 && head.substr(8, 4) == "WAVE";
+}
+
+/// The sound of Apple, in the form of IFF.
+bool is_aiff(std::string_view head) {
+  return head.starts_with("FORM") && head.size() >= 12 &&
+         (head.substr(8, 4) == "AIFF" || head.substr(8, 4) == "AIFC");
+}
+
+/// A ZIP archive whose first file is an NPY file; its name stands behind 30 bytes.
+bool is_npz(std::string_view head) {
+  constexpr std::size_t kName = 30;
+  if (!head.starts_with("PK\x03\x04") || head.size() <= kName) return false;
+  const auto low = static_cast<unsigned char>(head[26]);
+  const auto high = static_cast<unsigned char>(head[27]);
+  return head.substr(kName, low + 256U * high).ends_with(".npy");
 }
 
 /// The digit is the size of its blocks, in 100 kB; π follows in decimal digits of four bits.
@@ -133,6 +164,8 @@ bool is_universal_file(std::string_view head) {
 }  // namespace
 
 std::string_view signature(std::string_view head) {
+  if (is_npz(head)) return kNpz.name;
+  if (is_aiff(head)) return kAiff.name;
   for (const Signature& s : kBinary) {
     if (head.starts_with(s.start)) return s.name;
   }
@@ -161,7 +194,7 @@ bool is_mat_signature(std::string_view signature) {
 }
 
 std::string_view remedy_for_signature(std::string_view signature) {
-  for (const Signature& s : {kLvm, kWav, kBzip2, kMat4}) {
+  for (const Signature& s : {kLvm, kWav, kBzip2, kMat4, kAiff, kNpz}) {
     if (s.name == signature) return s.remedy;
   }
   const auto* const found = std::ranges::find(kBinary, signature, &Signature::name);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/matrices/uff_nodes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/uff/uff164.hpp"
@@ -52,6 +54,34 @@ void read_nodes_2411(UffEnvelope& envelope, double length_unit, MeshFile& mesh) 
   }
 }
 
+/// Groups with nodes among their entities, as sets: number and seven others, the last of which is the
+/// number of entities; the name; two entities a line, each of a type, a number and two others.
+void read_groups(UffEnvelope& envelope, MeshFile& mesh) {
+  constexpr int kOthers = 6;
+  constexpr std::int64_t kNode = 7;
+  while (const std::optional<std::string_view> line = envelope.value_line()) {
+    UffFields first = fields_of(envelope, *line);
+    (void)first.integer(kIntegerWidth, "the number of a group");
+    for (int i = 0; i < kOthers; ++i) first.skip(kIntegerWidth);
+    const std::int64_t count = first.integer(kIntegerWidth, "the number of entities of a group");
+    constexpr std::size_t kNameWidth = 80;
+    NodeSet set{.name = envelope.fields("the name of a group").text(kNameWidth), .nodes = {}};
+    for (std::int64_t done = 0; done < count; done += 2) {
+      UffFields pair = envelope.fields("entities of a group");
+      for (std::int64_t i = done; i < std::min(done + 2, count); ++i) {
+        const std::int64_t type = pair.integer(kIntegerWidth, "the type of an entity");
+        const std::int64_t number = pair.integer(kIntegerWidth, "the number of an entity");
+        for (int skipped = 0; skipped < 2; ++skipped) pair.skip(kIntegerWidth);
+        if (type == kNode) set.nodes.push_back(number);
+      }
+    }
+    std::ranges::sort(set.nodes);
+    const auto rest = std::ranges::unique(set.nodes);
+    set.nodes.erase(rest.begin(), rest.end());
+    if (!set.nodes.empty()) mesh.sets.push_back(std::move(set));
+  }
+}
+
 }  // namespace
 
 MeshFile read_uff_nodes(const std::string& path, double length_unit) {
@@ -70,6 +100,10 @@ MeshFile read_uff_nodes(const std::string& path, double length_unit) {
         break;
       case 2411:
         read_nodes_2411(envelope, metres, mesh);
+        break;
+      case 2467:
+      case 2477:
+        read_groups(envelope, mesh);
         break;
       default:
         break;

@@ -28,6 +28,11 @@ SymmetricEntries read_matrix_file(const std::string& path) {
     return symmetric_of_both(read_mat_entries(part.file, part.variable), path,
                              "If only one triangle is stored, store both.");
   }
+  if (kind.ends_with("of NumPy")) {
+    throw FormatError({part.file, 0, 0},
+                      "a matrix of Matrix Market, MATLAB, HDF5, OP4 or Harwell-Boeing", kind,
+                      "scipy.io.mmwrite(FILE, A) writes it as Matrix Market.");
+  }
   if (is_op4(head)) return read_op4(part.file, part.variable);
   if (!part.variable.empty()) {
     throw InputError(part.file, in_quotes(":" + part.variable),

@@ -55,12 +55,31 @@ MeshFile parse_node_table(std::string text, const std::string& file) {
   return mesh;
 }
 
+constexpr std::string_view kExpectedNodes =
+    "nodes: *NODE of CalculiX, datasets 15 or 2411, or a table node, x, y, z";
+
+/// @throws FormatError  where it is a mesh of a program that is not read.
+void require_known_mesh(std::string_view head, std::string_view line, const std::string& path) {
+  constexpr std::string_view kGroups =
+      "In gmsh save it as .inp or .unv, with the option 'Save groups of nodes'.";
+  const auto fail = [&](std::string_view found, std::string_view remedy) {
+    throw FormatError({path, 0, 0}, kExpectedNodes, found, remedy);
+  };
+  if (line.starts_with("$MeshFormat")) fail("a mesh of gmsh", kGroups);
+  if (head.starts_with("# vtk DataFile")) fail("a mesh of VTK", kGroups);
+  if (line.starts_with("$ Created by Gmsh") || line.starts_with("GRID") ||
+      line.starts_with("BEGIN BULK") || line.starts_with("CEND")) {
+    fail("bulk data of Nastran", kGroups);
+  }
+}
+
 }  // namespace
 
 MeshFile read_mesh(const std::string& path, double length_unit) {
   const std::string head = read_file_head(path, kHead);
   const std::string_view line = first_line(head);
   MeshFile mesh;
+  require_known_mesh(head, line, path);
   if (is_uff_marker(line)) {
     mesh = read_uff_nodes(path, length_unit);
   } else if (trimmed(line).starts_with('*')) {
@@ -69,9 +88,7 @@ MeshFile read_mesh(const std::string& path, double length_unit) {
     mesh = parse_node_table(read_text(path), path);
   }
   if (!mesh.nodes.empty() || !mesh.sets.empty()) return mesh;
-  throw FormatError({path, 0, 0},
-                    "nodes: *NODE of CalculiX, datasets 15 or 2411, or a table node, x, y, z",
-                    "none");
+  throw FormatError({path, 0, 0}, kExpectedNodes, "none");
 }
 
 }  // namespace microslip

@@ -358,7 +358,7 @@ class CsvRecordingReader {
     check_recording(recording);
     Recordings recordings{.recordings = {}, .warnings = std::move(warnings_)};
     recordings.recordings.push_back(std::move(recording));
-    if (header_.is_untimed()) note_untimed(options_, file_.name(), recordings);
+    if (header_.is_untimed() && !options_.no_axis) note_untimed(options_, file_.name(), recordings);
     return recordings;
   }
 

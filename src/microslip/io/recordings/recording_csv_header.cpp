@@ -358,6 +358,11 @@ void RecordingCsvHeader::resolve(const RecordingReadOptions& options, const Tabl
     column.dimension = column.unit.dimension;
     warnings.push_back(force_in_pounds(place_text(cells_[i].place), column.name));
   }
+  if (options.no_axis) {
+    rate_ = 1.0;
+    untimed_ = true;
+    return warn_of_unknown_units(warnings);
+  }
   axis_ = find_axis(options.assumed_units);
   if (axis_) prefer_frequency(options.assumed_units, table.rising, warnings);
   const bool may_be_text = axis_ && *axis_ < table.texts.size() && !columns_[*axis_].dimension;

@@ -35,6 +35,9 @@ struct RecordingReadOptions {
   /// For what the file gives no unit. read_recordings() gives them to the channels, whatever the
   /// format; a reader of one format uses them for the axis alone.
   AssumedUnits assumed_units = {};
+  /// Of a table of text take no column for the axis: all are channels over the numbers of the rows,
+  /// as those of a sweep, whose frequencies may fall.
+  bool no_axis = false;
 };
 
 }  // namespace microslip
