@@ -506,21 +506,24 @@ void put_timed_rows(OtherFile& file, const std::vector<TimedRow>& rows) {
   H5Tclose(type);
 }
 
-// pandas 1.5: whole nanoseconds, which doubles do not hold, by the attribute NAME_dtype.
+// pandas 1.5: whole nanoseconds, which doubles do not hold, by the attribute NAME_dtype, of an
+// index NAME_kind.
 TEST_F(Hdf5NetCdf, TakesDatesOfATable) {
-  {
-    OtherFile file(path_);
-    constexpr std::int64_t kStart = 1704067200000000123;  // 2024
-    put_timed_rows(file, {{kStart, 1.0}, {kStart + 1'000'000, 2.0}, {kStart + 2'000'000, 3.0}});
-    file.text("data", "time_dtype", "datetime64");
-    file.text("data", "units", "kN");  // of one field of two
+  for (const char* attribute : {"time_dtype", "time_kind"}) {
+    {
+      OtherFile file(path_);
+      constexpr std::int64_t kStart = 1704067200000000123;  // 2024
+      put_timed_rows(file, {{kStart, 1.0}, {kStart + 1'000'000, 2.0}, {kStart + 2'000'000, 3.0}});
+      file.text("data", attribute, "datetime64");
+      file.text("data", "units", "kN");  // of one field of two
+    }
+    const Recordings all = read();
+    EXPECT_EQ(all.recordings.at(0).axis.start, 0.0);
+    EXPECT_NEAR(all.recordings.at(0).sampling_rate(), 1000.0, 1e-9);
+    EXPECT_FALSE(all.recordings.at(0).channel("force").dimension);
+    ASSERT_EQ(all.warnings.size(), 1U) << attribute;
+    EXPECT_EQ(all.warnings[0].code, "units_not_assigned");
   }
-  const Recordings all = read();
-  EXPECT_EQ(all.recordings.at(0).axis.start, 0.0);
-  EXPECT_NEAR(all.recordings.at(0).sampling_rate(), 1000.0, 1e-9);
-  EXPECT_FALSE(all.recordings.at(0).channel("force").dimension);
-  ASSERT_EQ(all.warnings.size(), 1U);
-  EXPECT_EQ(all.warnings[0].code, "units_not_assigned");
 }
 
 // Of a file that has times for some of its datasets.

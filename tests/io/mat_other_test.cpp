@@ -459,5 +459,24 @@ TEST_F(MatOther, SaysThatAFrequencyIsTheAxisBesideARate) {
   EXPECT_EQ(read.warnings[0].code, "axis_chosen");
 }
 
+// A capture of dSPACE: run.X is the time, run.Y(i) a channel, each with Name, Data and Unit.
+TEST_F(MatOther, TakesStructsInCapitalsForChannels) {
+  {
+    OtherMat file(path_);
+    using Cell = OtherMat::Cell;
+    const auto data = [](std::vector<double> values) { return Cell(std::move(values)); };
+    file.add_rows("X", {"Name", "Data", "Unit"},
+                  {{std::string("Time"), data({0.0, 0.5, 1.0}), std::string("s")}});
+    file.add_rows("Y", {"Name", "Data", "Unit"},
+                  {{std::string("force"), data({1.0, 2.0, 3.0}), std::string("kN")},
+                   {std::string("gap"), data({4.0, 5.0, 6.0}), std::string("mm")}});
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_EQ(read.recordings.size(), 1U);
+  EXPECT_EQ(read.recordings[0].axis.step, 0.5);
+  EXPECT_EQ(read.recordings[0].channel("force").values, (std::vector{1e3, 2e3, 3e3}));
+  EXPECT_EQ(read.recordings[0].channel("gap").dimension, kLength);
+}
+
 }  // namespace
 }  // namespace microslip::mat_other_test

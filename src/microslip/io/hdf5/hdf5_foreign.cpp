@@ -764,8 +764,8 @@ class ForeignReader {
     if (!without_axis_.empty()) {
       throw no_sampling_rate(
           without_axis_.front(),
-          pandas_ ? "pandas wrote it: read_hdf(FILE, KEY).to_csv(OUT) there, or write it with the "
-                    "times as a column, format='table' and data_columns=True."
+          pandas_ ? "pandas wrote it: there, write it with the times as a column, format='table' "
+                    "and data_columns=True."
                   : "Add the attribute fs [Hz] to the dataset, to a group that contains it or to "
                     "the file, or a dataset 'time' [s] next to it.");
     }

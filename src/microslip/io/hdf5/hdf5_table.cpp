@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -64,10 +65,12 @@ struct Member {
   [[nodiscard]] bool is_date() const { return stored > Stored::kWholeTimes; }
 };
 
-/// pandas names the type of a column in the attribute NAME_dtype.
+/// pandas names the type of a column in the attribute NAME_dtype, that of an index in NAME_kind.
 bool is_date(hid_t dataset, const std::string& name, const std::string& place) {
-  const std::string type = hdf5_text(dataset, (name + "_dtype").c_str(), place).value_or("");
-  return type.starts_with("datetime64") || type.starts_with("timedelta64");
+  return std::ranges::any_of(std::array{"_dtype", "_kind"}, [&](const char* ending) {
+    const std::string type = hdf5_text(dataset, (name + ending).c_str(), place).value_or("");
+    return type.starts_with("datetime64") || type.starts_with("timedelta64");
+  });
 }
 
 Stored stored_number(hid_t dataset, const std::string& name, hid_t type, const std::string& place) {

@@ -25,6 +25,9 @@ constexpr std::array kNamesNames{"names", "channel_names", "labels"};
 constexpr std::array kValuesNames{"values", "data"};
 constexpr std::array kNameNames{"name", "channel_name", "label"};
 
+/// How dSPACE and others in capitals call what describes a channel.
+constexpr std::array kCapitalNames{"Name", "Data", "Unit"};
+
 /// An array of a struct that could be a channel, several, or the axis.
 struct Array {
   std::string name;
@@ -96,11 +99,25 @@ struct Scope {
   std::vector<std::string> names;  ///< of channels
 };
 
+MatValue* values_of(MatValue& value, std::size_t element) {
+  if (MatValue* values = first_field(value, element, kValuesNames)) return values;
+  const bool is_named = field_of(value, element, kCapitalNames[0]) != nullptr;
+  return is_named ? field_of(value, element, kCapitalNames[1]) : nullptr;
+}
+
+/// The text of the first of these fields, else of one in capitals.
+template <class Names>
+std::string text_of(MatValue& value, std::size_t element, const Names& names,
+                    const char* in_capitals) {
+  std::string text = mat_text(first_field(value, element, names));
+  return text.empty() ? mat_text(field_of(value, element, in_capitals)) : text;
+}
+
 /// Structs with values, but not over points of their own.
 bool is_channels(MatValue& value) {
   if (value.kind != Kind::kStruct || value.count() == 0) return false;
   for (std::size_t i = 0; i < value.count(); ++i) {
-    const MatValue* values = first_field(value, i, kValuesNames);
+    const MatValue* values = values_of(value, i);
     if (values == nullptr || !is_numbers(*values)) return false;
     if (first_field(value, i, kTimeNames) != nullptr) return false;
   }
@@ -117,10 +134,10 @@ std::vector<Array> arrays_of(MatValue& value, std::size_t element) {
     if (is_numbers(*field)) arrays.push_back({name, field, {}});
     if (!is_channels(*field)) continue;
     for (std::size_t i = 0; i < field->count(); ++i) {
-      const std::string own = mat_text(first_field(*field, i, kNameNames));
+      const std::string own = text_of(*field, i, kNameNames, kCapitalNames[0]);
       const std::string number = field->count() == 1 ? "" : fmt::format("_{}", i + 1);
-      arrays.push_back({own.empty() ? name + number : own, first_field(*field, i, kValuesNames),
-                        mat_text(first_field(*field, i, kUnitNames))});
+      arrays.push_back({own.empty() ? name + number : own, values_of(*field, i),
+                        text_of(*field, i, kUnitNames, kCapitalNames[2])});
     }
   }
   return arrays;
