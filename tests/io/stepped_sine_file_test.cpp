@@ -267,10 +267,12 @@ TEST(SteppedSineFile, BrakeReussBeam) {
 // ---- Frequency responses with the level of the response. ----
 
 /// A dataset 58 over uneven frequencies, 80, 80.5 and 81.5 Hz, of complex values.
+/// @param id  its first line, which identifies it.
 std::string dataset(int type, const std::string& numerator, const std::string& denominator,
-                    const std::array<std::complex<double>, 3>& values) {
+                    const std::array<std::complex<double>, 3>& values,
+                    const std::string& id = "sweep") {
   constexpr std::array kFrequencies{80.0, 80.5, 81.5};
-  std::string text = "    -1\n    58\nsweep\nNONE\n11-JUN-24  10:12:00\nNONE\nNONE\n";
+  std::string text = "    -1\n    58\n" + id + "\nNONE\n11-JUN-24  10:12:00\nNONE\nNONE\n";
   text += fmt::format(
       "{:5}         1    1         0 PLATE              1   3 PLATE              1   3\n", type);
   text +=
@@ -348,6 +350,32 @@ TEST(SteppedSineFile, SaysWhatAFrequencyResponseLacks) {
   EXPECT_NE(message_of<InputError>([&] {
               return sweeps_in(path);
             }).find("0 channels with a frequency response"),
+            std::string::npos);
+}
+
+// The usual way of a test system: each level over the same frequencies, identified in its first
+// line.
+TEST(SteppedSineFile, PairsLevelsOverTheSameFrequencies) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("sweep.unv");
+  const auto response = [](double h, const std::string& id) {
+    return dataset(4, kAccelerationLine, kForceLine, {-h, {0.0, h}, h}, id);
+  };
+  const auto level = [](double a, const std::string& id) {
+    return dataset(12, kAccelerationLine, kNoLine, {a, a, a}, id);
+  };
+  test::put(path, response(8.0, "level 1") + response(4.0, "level 2") + level(6.0, "level 2") +
+                      level(2.0, "level 1"));
+  const std::vector<SteppedSine> sweeps = sweeps_in(path);
+  ASSERT_EQ(sweeps.size(), 2U);
+  EXPECT_EQ(sweeps[0].source, "sweep.unv: level 1");
+  EXPECT_EQ(sweeps[0].force[0], 0.25) << "2/8";
+  EXPECT_EQ(sweeps[1].source, "sweep.unv: level 2");
+  EXPECT_EQ(sweeps[1].force[0], 1.5) << "6/4";
+  test::put(path, response(8.0, "a") + response(4.0, "a") + level(6.0, "a") + level(2.0, "b"));
+  EXPECT_NE(message_of<InputError>([&] {
+              return sweeps_in(path);
+            }).find("need one identification each, in the first line"),
             std::string::npos);
 }
 

@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -112,15 +113,10 @@ const Channel& only_channel(const Recording& recording, std::string_view what,
                    std::string(remedy));
 }
 
-SteppedSine sweep_of(const Recording& recording) {
-  const Channel& transfer = only_channel(
-      recording, "a frequency response",
-      "Keep the drive point alone: microslip convert FILE NEW --channel NAME.", rate_per_force);
-  const Channel& level = only_channel(
-      recording, "the level of the response",
-      "Export the spectrum of the response, in m/s^2 or g, beside the frequency response.",
-      rate_of);
-  ResponseSweep sweep{.source = recording.source,
+/// The sweep of a frequency response and the level of the response.
+SteppedSine sweep_of_pair(const Recording& recording, const Channel& transfer, const Channel& level,
+                          const std::string& source) {
+  ResponseSweep sweep{.source = source,
                       .frequency = {},
                       .transfer = complex_values(transfer.values, transfer.imaginary),
                       .transfer_rate = *rate_per_force(*transfer.dimension),
@@ -129,6 +125,81 @@ SteppedSine sweep_of(const Recording& recording) {
   for (std::size_t i = 0; i < recording.size(); ++i)
     sweep.frequency.push_back(recording.axis.at(i));
   return stepped_sine_of(sweep);
+}
+
+using Channels = std::vector<const Channel*>;
+
+Channels channels_of(const Recording& recording,
+                     std::optional<int> (*rate)(const Dimension& dimension)) {
+  Channels found;
+  for (const Channel& channel : recording.channels) {
+    if (channel.dimension && rate(*channel.dimension)) found.push_back(&channel);
+  }
+  return found;
+}
+
+/// The attribute of that name; empty where there is none.
+std::string attribute_of(const Channel& channel, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      channel.attributes, [&](const auto& attribute) { return attribute.first == name; });
+  return found == channel.attributes.end() ? std::string() : found->second;
+}
+
+/// Whether channels are of one point and direction of the response.
+bool are_of_one_point(const Channels& channels) {
+  return std::ranges::all_of(channels, [&](const Channel* channel) {
+    return std::ranges::all_of(
+        std::array{"response node", "response direction"}, [&](const char* name) {
+          return attribute_of(*channel, name) == attribute_of(*channels.front(), name);
+        });
+  });
+}
+
+/// Levels in the order of the frequency responses that have the same text by this attribute; none
+/// where that is not one each.
+Channels paired(const Channels& transfers, const Channels& levels, std::string_view attribute) {
+  Channels result;
+  for (const Channel* transfer : transfers) {
+    const std::string text = attribute_of(*transfer, attribute);
+    const auto has_text = [&](const Channel* other) {
+      return attribute_of(*other, attribute) == text;
+    };
+    if (text.empty() || std::ranges::count_if(transfers, has_text) != 1 ||
+        std::ranges::count_if(levels, has_text) != 1) {
+      return {};
+    }
+    result.push_back(*std::ranges::find_if(levels, has_text));
+  }
+  return result;
+}
+
+/// Of several levels over the same frequencies, which an identification or a number pairs.
+std::vector<SteppedSine> sweeps_of(const Recording& recording) {
+  const Channels transfers = channels_of(recording, rate_per_force);
+  const Channels levels = channels_of(recording, rate_of);
+  const bool are_pairs = transfers.size() > 1 && transfers.size() == levels.size() &&
+                         are_of_one_point(transfers) && are_of_one_point(levels);
+  for (const char* attribute : {"id line 1", "function number"}) {
+    const Channels pairs = are_pairs ? paired(transfers, levels, attribute) : Channels();
+    std::vector<SteppedSine> sweeps;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const std::string text = attribute_of(*transfers[i], attribute);
+      sweeps.push_back(sweep_of_pair(recording, *transfers[i], *pairs[i],
+                                     fmt::format("{}: {}", recording.source, printable(text))));
+    }
+    if (!sweeps.empty()) return sweeps;
+  }
+  const Channel& transfer = only_channel(
+      recording, "a frequency response",
+      "Keep the drive point alone: microslip convert FILE NEW --channel NAME. Several levels of it "
+      "over the same frequencies need one identification each, in the first line of both of its "
+      "functions.",
+      rate_per_force);
+  const Channel& level = only_channel(
+      recording, "the level of the response",
+      "Export the spectrum of the response, in m/s^2 or g, beside the frequency response.",
+      rate_of);
+  return {sweep_of_pair(recording, transfer, level, recording.source)};
 }
 
 // ---- MATLAB. ----
@@ -188,7 +259,8 @@ bool is_over_frequency(std::string_view head) {
 std::vector<SteppedSine> response_sweeps(const Recordings& recordings, const std::string& name) {
   std::vector<SteppedSine> sweeps;
   for (const Recording& recording : recordings.recordings) {
-    if (recording.axis.dimension == kFrequency) sweeps.push_back(sweep_of(recording));
+    if (recording.axis.dimension != kFrequency) continue;
+    std::ranges::move(sweeps_of(recording), std::back_inserter(sweeps));
   }
   if (!sweeps.empty()) return sweeps;
   throw InputError(name, "no recording over frequency", "must have a sweep at least");
