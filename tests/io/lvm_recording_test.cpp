@@ -404,8 +404,8 @@ TEST_F(LvmFiles, MayBeginWithAByteOrderMark) {
 
 // Sections of 2 ms whose clock takes 5 % longer than x: no section lags by much, all of them do.
 TEST_F(LvmFiles, TellOnceOfAClockThatLags) {
-  const auto read_lagging = [&](double share) {
-    std::string text = file_header("One");
+  const auto read_lagging = [&](double share, const std::string& others = "") {
+    std::string text = file_header("One", others);
     for (int i = 0; i < 10; ++i) {
       const double x = 2e-3 * i;
       text += "Channels\t2\t\t\r\n" +
@@ -425,6 +425,8 @@ TEST_F(LvmFiles, TellOnceOfAClockThatLags) {
             std::string::npos)
       << read.warnings[0].text;
   EXPECT_TRUE(read_lagging(0.005).warnings.empty());
+  EXPECT_EQ(read_lagging(0.05, "Time_Pref\tAbsolute\r\n").warnings.size(), 1U)
+      << "whatever x count from";
 }
 
 TEST_F(LvmFiles, TakeTheStepWhereAnXIsMissing) {

@@ -424,6 +424,13 @@ TEST(RecordingCsvForms, ReadsExponentsOfFortran) {
   EXPECT_EQ(read.recordings.front().channel("b").values, (Numbers{6.27905e-105, -1.25e100, 0}));
 }
 
+// As Fortran writes a number that fills its field.
+TEST(RecordingCsvForms, TakesNoTwoNumbersForADate) {
+  EXPECT_EQ(fault("time[s] a[N]\n0.0 1.0\n0.5 2.0\n1.0-112.619 2\n"),
+            "r.csv:4:1: expected a finite number in column 1 'time [s]', found '1.0-112.619'. "
+            "Correct the cell or remove the row.");
+}
+
 // Clocks and dates are no times in seconds: a rate serves.
 TEST(RecordingCsvForms, TakesTheRateBesideTimesInText) {
   for (const std::string time : {"10:12:33.00", "2024-06-11 10:12:33.00"}) {

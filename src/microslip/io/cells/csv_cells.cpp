@@ -98,7 +98,11 @@ bool looks_like_date(std::string_view cell) {
   constexpr std::size_t kLongest = 20;
   constexpr std::string_view kOfDates = "0123456789./-";
   if (cell.size() > kLongest || cell.find_first_of("0123456789") == cell.npos) return false;
-  if (cell.find_first_not_of(kOfDates) == cell.npos) return true;
+  if (cell.find_first_not_of(kOfDates) == cell.npos) {
+    // Two numbers between which there is no blank have a point and a sign.
+    return std::ranges::count_if(std::string_view("./-"),
+                                 [&](char mark) { return cell.find(mark) != cell.npos; }) == 1;
+  }
   std::string month;
   for (const char c : cell) {
     if (kOfDates.find(c) == kOfDates.npos) month += static_cast<char>(c | 0x20);

@@ -96,7 +96,7 @@ class LvmReader {
     SectionBegin last;
     std::vector<SectionStep> steps;  // of sections that are joined
     for (LvmSection& next : contents_.sections) {
-      const SectionBegin begin{begin_of(next), start_of(next)};
+      const SectionBegin begin{clock_of(next), start_of(next)};
       const bool by_x = !joined.empty() && goes_on(joined.back(), next, 0.0);
       if (by_x && last.time && begin.time) {
         steps.push_back({next.line, *begin.time - *last.time, begin.x - last.x});
@@ -310,6 +310,13 @@ class LvmReader {
                                               const LvmChannel& channel) const {
     if (contents_.has_absolute_times) return std::nullopt;
     return lvm_time(section.entry("Date", channel), section.entry("Time", channel));
+  }
+
+  /// Date and Time of the first channel, whether x count from them or not.
+  [[nodiscard]] static std::optional<double> clock_of(const LvmSection& section) {
+    if (section.channels.empty()) return std::nullopt;
+    const LvmChannel& first = section.channels.front();
+    return lvm_time(section.entry("Date", first), section.entry("Time", first));
   }
 
   /// When the earliest channel begins; nothing where that is not known of all.
