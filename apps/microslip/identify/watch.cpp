@@ -21,7 +21,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/output/output_files.hpp"
-#include "microslip/workflow/measure/watched_test.hpp"
+#include "microslip/workflow/measure/watch_run.hpp"
 #include "microslip/workflow/results/experiment_folder.hpp"
 #include "microslip/workflow/text/quantity_text.hpp"
 

@@ -7,7 +7,7 @@
 #include "microslip/report/document/report_document.hpp"
 #include "microslip/report/drawing/figure.hpp"
 #include "microslip/report/drawing/gnuplot.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 
 namespace microslip {
 

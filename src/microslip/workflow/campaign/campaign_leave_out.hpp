@@ -13,7 +13,7 @@
 #include "microslip/identify/methods/identification.hpp"
 #include "microslip/observe/common_errors.hpp"
 #include "microslip/workflow/campaign/campaign_levels.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 
 /// @file
 /// Leave-one-out: which of the tests of a campaign, or of their levels, contradict the others.

@@ -10,7 +10,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/documents/study/campaign_file.hpp"
 #include "microslip/workflow/campaign/campaign_run.hpp"
-#include "microslip/workflow/compare/test_reading.hpp"
+#include "microslip/workflow/compare/comparison_reading.hpp"
 
 /// @file
 /// A test of a campaign by its kind: what it may be, its levels, how it is read to be predicted.

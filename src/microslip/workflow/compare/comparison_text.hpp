@@ -5,7 +5,7 @@
 #include <string>
 
 #include "microslip/base/units.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 
 /// @file
 /// Compared values in words. Internal to workflow and report.

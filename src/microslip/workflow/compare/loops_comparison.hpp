@@ -8,7 +8,7 @@
 #include "microslip/base/summary.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/observe/record_evidence.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 #include "microslip/workflow/reduce/force_records.hpp"
 
 /// @file

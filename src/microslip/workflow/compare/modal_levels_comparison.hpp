@@ -9,7 +9,7 @@
 #include "microslip/dynamics/draws/structure_draws.hpp"
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/observe/modal_levels.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 #include "microslip/workflow/reduce/modal_decay.hpp"
 
 /// @file

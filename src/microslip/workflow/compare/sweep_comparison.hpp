@@ -7,7 +7,7 @@
 #include "microslip/dynamics/draws/structure_draws.hpp"
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 
 /// @file
 /// Stepped-sine sweeps of a structure against what its model predicts.

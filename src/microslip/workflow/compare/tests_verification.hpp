@@ -9,8 +9,8 @@
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/documents/structure/model_file.hpp"
 #include "microslip/dynamics/harmonic/harmonic_balance.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
-#include "microslip/workflow/compare/test_reading.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
+#include "microslip/workflow/compare/comparison_reading.hpp"
 #include "microslip/workflow/compare/tests_verification_options.hpp"
 #include "microslip/workflow/predict/model_draws.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "microslip/base/execution.hpp"
 #include "microslip/base/progress.hpp"
-#include "microslip/workflow/compare/test_reading.hpp"
+#include "microslip/workflow/compare/comparison_reading.hpp"
 #include "microslip/workflow/predict/joint_tables.hpp"
 #include "microslip/workflow/predict/model_draws.hpp"
 

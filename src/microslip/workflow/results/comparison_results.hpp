@@ -9,7 +9,7 @@
 
 #include "microslip/base/summary.hpp"
 #include "microslip/workflow/campaign/campaign_effects.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 
 /// @file
 /// Results of comparisons of tests with a model, and of campaigns, from their tables.

@@ -7,7 +7,7 @@
 
 #include "microslip/documents/joint/joint_samples_file.hpp"
 #include "microslip/documents/levels/path_file.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 #include "microslip/workflow/results/experiment_results.hpp"
 #include "microslip/workflow/results/predicted_curves.hpp"
 

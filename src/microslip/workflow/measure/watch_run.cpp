@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/measure/watched_test.hpp"
+#include "microslip/workflow/measure/watch_run.hpp"
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 #include "microslip/observe/modal_levels.hpp"
 #include "microslip/rig/reduction/stepped_sine.hpp"
 #include "microslip/signal/decay/ring_down.hpp"
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 #include "microslip/workflow/reduce/force_records.hpp"
 
 /// @file

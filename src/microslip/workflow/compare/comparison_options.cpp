@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/compare/test_options.hpp"
+#include "microslip/workflow/compare/comparison_options.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/compare/test_reading.hpp"
+#include "microslip/workflow/compare/comparison_reading.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/random.hpp"
 
-namespace microslip::test_comparison_test {
+namespace microslip::comparison_test {
 namespace {
 
 constexpr std::size_t kDraws = 2000;
@@ -171,4 +171,4 @@ TEST(TestComparison, DeviationsAreRootsOfMeanSquares) {
 }
 
 }  // namespace
-}  // namespace microslip::test_comparison_test
+}  // namespace microslip::comparison_test

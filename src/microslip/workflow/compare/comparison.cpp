@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/workflow/compare/test_comparison.hpp"
+#include "microslip/workflow/compare/comparison.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "microslip/workflow/compare/test_reading.hpp"
+#include "microslip/workflow/compare/comparison_reading.hpp"
 #include "microslip/workflow/compare/tests_verification_options.hpp"
 
 /// @file
