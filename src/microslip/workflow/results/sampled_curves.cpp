@@ -70,12 +70,6 @@ std::vector<double> joint_curve(const Joint& joint, JointQuantity quantity,
   return values;
 }
 
-std::vector<double> damping_curve(const std::vector<double>& amplitude, double linear_damping) {
-  std::vector<double> values;
-  for (const double a : amplitude) values.push_back(linear_damping * a * a);
-  return values;
-}
-
 std::vector<double> force_difference(const SteadyLoop& loop, const SteadyLoop& base) {
   std::vector<double> apart(loop.force.size());
   std::ranges::transform(loop.force, base.force, apart.begin(), std::minus());

@@ -32,10 +32,6 @@ using JointQuantity = double (*)(const Joint&, double);
                                               const std::vector<double>& amplitude,
                                               double linear_damping = 0.0);
 
-/// βA², J. @param amplitude  A, m. @param linear_damping  β, J/m².
-[[nodiscard]] std::vector<double> damping_curve(const std::vector<double>& amplitude,
-                                                double linear_damping);
-
 /// φ without the atoms at even steps; where it is infinite there is no point.
 struct DensityPoints {
   std::vector<double> slip_force;  ///< N
