@@ -93,6 +93,58 @@ int run(ReduceOptions options, const Call& call) {
   return kDone;
 }
 
+void add_files(CLI::App& command, ReduceOptions& options) {
+  command
+      .add_option("rig", options.test,
+                  "Description of the test, rig.toml; or a structure with joints, model.toml, "
+                  "detected from its schema: then modal levels with amplitude and dissipation of "
+                  "each joint are written")
+      ->required()
+      ->type_name(kTomlValue);
+  command
+      .add_option(
+          "recordings", options.recordings,
+          "Steady records, one per level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
+          "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
+          "FILE.mat:VARIABLE with such fields; or frequency responses with the level of the "
+          "response (UFF, FILE.mat:VARIABLE)")
+      ->required()
+      ->type_name(kRecordingValue);
+  command
+      .add_option("--out", options.out,
+                  "levels.csv to write, or modal_levels.csv of a model; - is standard output")
+      ->required()
+      ->type_name(kCsvValue);
+}
+
+void add_methods(CLI::App& command, ReduceOptions& options) {
+  command.add_option("--frequency", options.frequency,
+                     "Drive frequency, to within 3 %, in Hz; default: detected");
+  command.add_option("--order", options.order, "Number of harmonics fitted")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      .add_option("--modes", options.reduction.modes,
+                  "Modes of the beam [default: those of the rig's [test], or 30]")
+      ->check(CLI::Range(1, 200));
+  command.add_flag("--no-vibrometer", options.no_vibrometer,
+                   "Joint displacement from the accelerometers even if there is a vibrometer");
+  command
+      .add_option("--sensor", options.sensors,
+                  "CHANNEL=POINT: the accelerometer of a channel is at that point of the model; "
+                  "may be repeated; replaces [[accelerometer]] of model.toml. At least as many as "
+                  "joints, at points that the joints move")
+      ->allow_extra_args(false);
+  command.add_option("--force", options.force,
+                     "With a model: channel of the force; default: that of its [excitation], or "
+                     "the only force channel");
+  command
+      .add_option("--mode", options.mode,
+                  "Mode of the model, from 1; default: the one whose frequency with stuck joints "
+                  "is nearest to that of the record")
+      ->check(CLI::Range(1, 100000));
+}
+
 }  // namespace
 
 void add_reduce(CLI::App& program, Call& call) {
@@ -101,52 +153,8 @@ void add_reduce(CLI::App& program, Call& call) {
       program.add_subcommand("reduce",
                              "Levels from steady recordings: of a frictional-support test, or of "
                              "the modes of a structure with several joints");
-  command
-      ->add_option("rig", options->test,
-                   "Description of the test, rig.toml; or a structure with joints, model.toml, "
-                   "detected from its schema: then modal levels with amplitude and dissipation of "
-                   "each joint are written")
-      ->required()
-      ->type_name(kTomlValue);
-  command
-      ->add_option(
-          "recordings", options->recordings,
-          "Steady records, one per level (CSV, UFF, MAT, HDF5), or stepped-sine tables: CSV "
-          "with frequency [Hz], force [N], acceleration [m/s^2], phase [rad], or "
-          "FILE.mat:VARIABLE with such fields; or frequency responses with the level of the "
-          "response (UFF, FILE.mat:VARIABLE)")
-      ->required()
-      ->type_name(kRecordingValue);
-  command
-      ->add_option("--out", options->out,
-                   "levels.csv to write, or modal_levels.csv of a model; - is standard output")
-      ->required()
-      ->type_name(kCsvValue);
-  command->add_option("--frequency", options->frequency,
-                      "Drive frequency, to within 3 %, in Hz; default: detected");
-  command->add_option("--order", options->order, "Number of harmonics fitted")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
-  command
-      ->add_option("--modes", options->reduction.modes,
-                   "Modes of the beam [default: those of the rig's [test], or 30]")
-      ->check(CLI::Range(1, 200));
-  command->add_flag("--no-vibrometer", options->no_vibrometer,
-                    "Joint displacement from the accelerometers even if there is a vibrometer");
-  command
-      ->add_option("--sensor", options->sensors,
-                   "CHANNEL=POINT: the accelerometer of a channel is at that point of the model; "
-                   "may be repeated; replaces [[accelerometer]] of model.toml. At least as many as "
-                   "joints, at points that the joints move")
-      ->allow_extra_args(false);
-  command->add_option("--force", options->force,
-                      "With a model: channel of the force; default: that of its [excitation], or "
-                      "the only force channel");
-  command
-      ->add_option("--mode", options->mode,
-                   "Mode of the model, from 1; default: the one whose frequency with stuck joints "
-                   "is nearest to that of the record")
-      ->check(CLI::Range(1, 100000));
+  add_files(*command, *options);
+  add_methods(*command, *options);
   add_recording_arguments(*command, options->arguments);
   command->add_flag("--skip-faulty", options->skip_faulty,
                     "Leave out, and list, what cannot be read or reduced");

@@ -212,6 +212,39 @@ int run(const FrfOptions& options, const Call& call) {
   return spread->taken.too_many_failed() ? kNotConverged : status;
 }
 
+void add_excitation(CLI::App& command, FrfOptions& options) {
+  CLI::Option* force =
+      command.add_option("--force", options.force, "Amplitude of the force, in N or with a unit");
+  CLI::Option* response =
+      command.add_option("--response", options.response,
+                         "Constant amplitude at the response point, a displacement, velocity or "
+                         "acceleration by its unit, default m, relative to a shaken base; the "
+                         "force or base acceleration that it needs is computed");
+  CLI::Option* acceleration = command.add_option(
+      "--acceleration", options.acceleration,
+      "Amplitude of the base acceleration, for a model with a driven base, in m/s^2 or with a "
+      "unit");
+  force->excludes(response)->excludes(acceleration);
+  acceleration->excludes(response);
+}
+
+void add_frequencies(CLI::App& command, FrfOptions& options) {
+  command
+      .add_option("--frequency", options.frequency,
+                  "FROM:TO, in Hz or with units; FROM above TO sweeps downward, onto the other "
+                  "branch where there are two")
+      ->required();
+  command
+      .add_option("--accuracy", options.accuracy,
+                  "Tolerance of linear interpolation between the rows, relative to the peak; at "
+                  "constant response relative to the force. From 0.0001%")
+      ->capture_default_str();
+  command.add_option(
+      "--at", options.at,
+      "Additional rows at these frequencies, on each branch: a comma-separated list, or "
+      "FROM:TO:COUNT[:log], in Hz or with units");
+}
+
 }  // namespace
 
 void add_frf(CLI::App& program, Call& call) {
@@ -224,33 +257,8 @@ void add_frf(CLI::App& program, Call& call) {
                            "[m/s], acceleration [m/s^2]; with a shaken base base_acceleration "
                            "[m/s^2] instead of the force, absolute_displacement [m], "
                            "absolute_acceleration [m/s^2], transmissibility [1]");
-  CLI::Option* force =
-      command->add_option("--force", options->force, "Amplitude of the force, in N or with a unit");
-  CLI::Option* response =
-      command->add_option("--response", options->response,
-                          "Constant amplitude at the response point, a displacement, velocity or "
-                          "acceleration by its unit, default m, relative to a shaken base; the "
-                          "force or base acceleration that it needs is computed");
-  CLI::Option* acceleration = command->add_option(
-      "--acceleration", options->acceleration,
-      "Amplitude of the base acceleration, for a model with a driven base, in m/s^2 or with a "
-      "unit");
-  force->excludes(response)->excludes(acceleration);
-  acceleration->excludes(response);
-  command
-      ->add_option("--frequency", options->frequency,
-                   "FROM:TO, in Hz or with units; FROM above TO sweeps downward, onto the other "
-                   "branch where there are two")
-      ->required();
-  command
-      ->add_option("--accuracy", options->accuracy,
-                   "Tolerance of linear interpolation between the rows, relative to the peak; at "
-                   "constant response relative to the force. From 0.0001%")
-      ->capture_default_str();
-  command->add_option(
-      "--at", options->at,
-      "Additional rows at these frequencies, on each branch: a comma-separated list, or "
-      "FROM:TO:COUNT[:log], in Hz or with units");
+  add_excitation(*command, *options);
+  add_frequencies(*command, *options);
   add_draw_arguments(*command, options->draws,
                      "lower and upper, of the displacement [m], or at constant response of the "
                      "force or base acceleration");

@@ -83,10 +83,10 @@ InitialState start_of(const MarchArguments& arguments, const ModelFile& model) {
                      "must be left out: the model has static loads, and begins at rest under them",
                      "Release a force with --force-file instead.");
   }
+  const auto modes = parse_release(arguments.release, model);
   try {
-    return released(model.structure, model.response, parse_release(arguments.release, model));
+    return released(model.structure, model.response, modes);
   } catch (const InputError& error) {
-    if (error.name().find("--release") != std::string::npos) throw;
     throw error.renamed(fmt::format("--release: {}", error.name()));
   }
 }
@@ -150,6 +150,55 @@ int run(const MarchArguments& arguments, const Call& call) {
   });
 }
 
+void add_loads(CLI::App& command, MarchArguments& arguments) {
+  CLI::Option* forces =
+      command
+          .add_option(
+              "--force-file", arguments.forces,
+              "Load history as CSV: time [s], force [N] at the excitation of the model, force "
+              "at POINT [N] or acceleration of BASE [m/s^2]; normal_load [1] or "
+              "normal_load of JOINT [1] if the normal load of a joint varies. Linear between the "
+              "times; - is standard input")
+          ->type_name(kCsvValue);
+  CLI::Option* release = command.add_option(
+      "--release", arguments.release,
+      "Release from rest in the shape of a mode of the stuck structure: MODE:DISPLACEMENT at the "
+      "response point, in m or with a unit; separate several by commas");
+  CLI::Option* duration =
+      command
+          .add_option("--duration", arguments.duration,
+                      "Length of a free decay without --force-file, in s or with a unit")
+          ->needs(release)
+          ->excludes(forces);
+  CLI::Option* rate = command.add_option("--sampling-rate", arguments.sampling_rate,
+                                         "Sampling rate of its rows, in Hz or with a unit");
+  rate->needs(duration)->excludes(forces);
+  duration->needs(rate);
+}
+
+void add_steps(CLI::App& command, MarchArguments& arguments) {
+  command.add_option(
+      "--step", arguments.step,
+      "Longest step, in s or with a unit; default: 1/20 of the shortest period of the stuck "
+      "structure, 1/80 if a density has more than 16 atoms, 1/400 if a normal load varies");
+  command.add_flag("--no-error-estimate", arguments.no_error_estimate,
+                   "Skip the second march with twice the step that estimates the error: saves a "
+                   "third of the time");
+  command
+      .add_option("--every", arguments.every,
+                  "Times of the force file, or of --sampling-rate, per output row")
+      ->capture_default_str();
+  command
+      .add_option("--normal-load-law", arguments.law,
+                  "Behaviour of a stuck element when its normal load varies")
+      ->check(CLI::IsMember({"incremental", "total"}))
+      ->capture_default_str();
+  command
+      .add_option("--elements", arguments.elements,
+                  "Number of Jenkins elements of a joint whose normal load varies")
+      ->capture_default_str();
+}
+
 void add_march_draws(CLI::App& command, MarchArguments& arguments) {
   add_draw_arguments(command, arguments.draws,
                      "displacement_lower and displacement_upper [m] at each time, and those of "
@@ -171,29 +220,7 @@ void add_march(CLI::App& program, Call& call) {
   command->add_option("model", arguments->model, "Structure with joints, model.toml")
       ->required()
       ->type_name(kTomlValue);
-  CLI::Option* forces =
-      command
-          ->add_option(
-              "--force-file", arguments->forces,
-              "Load history as CSV: time [s], force [N] at the excitation of the model, force "
-              "at POINT [N] or acceleration of BASE [m/s^2]; normal_load [1] or "
-              "normal_load of JOINT [1] if the normal load of a joint varies. Linear between the "
-              "times; - is standard input")
-          ->type_name(kCsvValue);
-  CLI::Option* release = command->add_option(
-      "--release", arguments->release,
-      "Release from rest in the shape of a mode of the stuck structure: MODE:DISPLACEMENT at the "
-      "response point, in m or with a unit; separate several by commas");
-  CLI::Option* duration =
-      command
-          ->add_option("--duration", arguments->duration,
-                       "Length of a free decay without --force-file, in s or with a unit")
-          ->needs(release)
-          ->excludes(forces);
-  CLI::Option* rate = command->add_option("--sampling-rate", arguments->sampling_rate,
-                                          "Sampling rate of its rows, in Hz or with a unit");
-  rate->needs(duration)->excludes(forces);
-  duration->needs(rate);
+  add_loads(*command, *arguments);
   command
       ->add_option("--out", arguments->out,
                    "CSV to write: time [s], loads, displacement [m], velocity [m/s], acceleration "
@@ -202,26 +229,7 @@ void add_march(CLI::App& program, Call& call) {
                    "shaken; - is standard output")
       ->required()
       ->type_name(kCsvValue);
-  command->add_option(
-      "--step", arguments->step,
-      "Longest step, in s or with a unit; default: 1/20 of the shortest period of the stuck "
-      "structure, 1/80 if a density has more than 16 atoms, 1/400 if a normal load varies");
-  command->add_flag("--no-error-estimate", arguments->no_error_estimate,
-                    "Skip the second march with twice the step that estimates the error: saves a "
-                    "third of the time");
-  command
-      ->add_option("--every", arguments->every,
-                   "Times of the force file, or of --sampling-rate, per output row")
-      ->capture_default_str();
-  command
-      ->add_option("--normal-load-law", arguments->law,
-                   "Behaviour of a stuck element when its normal load varies")
-      ->check(CLI::IsMember({"incremental", "total"}))
-      ->capture_default_str();
-  command
-      ->add_option("--elements", arguments->elements,
-                   "Number of Jenkins elements of a joint whose normal load varies")
-      ->capture_default_str();
+  add_steps(*command, *arguments);
   add_march_draws(*command, *arguments);
   command->add_flag("--quiet", call.quiet, "No summary, no progress");
   add_examples(

@@ -339,47 +339,50 @@ AssembledSystem::LooseRows loose_rows(const Sparse& stiffness, const Sparse& mas
   return found;
 }
 
-}  // namespace
+/// Points or joints.
+struct NamedMotions {
+  std::vector<std::string> names;
+  std::vector<Motion> motions;
+};
 
-AssembledSystem assemble_system(const MeshedStructure& structure) {
-  check_sizes(structure.matrices);
-  const MeshRows rows(structure);
-  std::vector<std::string> point_names;
-  std::vector<std::string> joint_names;
-  std::vector<Motion> points;
-  std::vector<Motion> joints;
+NamedMotions motions_of_points(const MeshedStructure& structure, const MeshRows& rows) {
+  NamedMotions points;
   for (const MeshPoint& point : structure.points) {
-    point_names.push_back(point.name);
-    points.push_back(place_motion(rows, point.place, point.direction));
+    points.names.push_back(point.name);
+    points.motions.push_back(place_motion(rows, point.place, point.direction));
   }
-  for (const MeshJoint& joint : structure.joints) {
-    joint_names.push_back(joint.name);
-    joints.push_back(joint_motion(rows, joint));
-  }
-  check_names(point_names, "point");
-  check_names(joint_names, "joint");
-  std::vector<std::string> base_names = point_names;
-  for (const MeshBase& base : structure.bases) base_names.push_back(base.name);
-  check_names(base_names, "base or point");
+  return points;
+}
 
-  Sparse stiffness = full_matrix(structure.matrices.stiffness, "stiffness matrix");
-  Sparse mass = full_matrix(structure.matrices.mass, "mass matrix");
-  check_rows(stiffness, mass, rows);
-  check_mass(mass);
-  const Transformation transformation(rows, structure);
-  AssembledSystem assembled;
-  assembled.points = motions_matrix(points, rows.size());
-  assembled.joints = motions_matrix(joints, rows.size());
-  assembled.loose_rows = loose_rows(stiffness, mass, assembled.joints, rows, transformation);
-  add_bases(rows, structure, stiffness, mass, assembled);
-  if (!transformation.is_trivial()) {
-    const Sparse matrix = transformation.matrix();
-    stiffness = (matrix.transpose() * stiffness * matrix).pruned();
-    mass = (matrix.transpose() * mass * matrix).pruned();
-    assembled.points = matrix.transpose() * assembled.points;
-    assembled.joints = matrix.transpose() * assembled.joints;
-    assembled.base_loads = (matrix.transpose() * assembled.base_loads).eval();
+NamedMotions motions_of_joints(const MeshedStructure& structure, const MeshRows& rows) {
+  NamedMotions joints;
+  for (const MeshJoint& joint : structure.joints) {
+    joints.names.push_back(joint.name);
+    joints.motions.push_back(joint_motion(rows, joint));
   }
+  return joints;
+}
+
+void check_all_names(const MeshedStructure& structure, const NamedMotions& points,
+                     const NamedMotions& joints) {
+  check_names(points.names, "point");
+  check_names(joints.names, "joint");
+  std::vector<std::string> bases = points.names;
+  for (const MeshBase& base : structure.bases) bases.push_back(base.name);
+  check_names(bases, "base or point");
+}
+
+/// Brings the system to the coordinates q of u = Tq. @param matrix  T.
+void reduce_system(const Sparse& matrix, Sparse& stiffness, Sparse& mass,
+                   AssembledSystem& assembled) {
+  stiffness = (matrix.transpose() * stiffness * matrix).pruned();
+  mass = (matrix.transpose() * mass * matrix).pruned();
+  assembled.points = matrix.transpose() * assembled.points;
+  assembled.joints = matrix.transpose() * assembled.joints;
+  assembled.base_loads = (matrix.transpose() * assembled.base_loads).eval();
+}
+
+void check_bases_move(const MeshedStructure& structure, const AssembledSystem& assembled) {
   for (std::size_t b = 0; b < structure.bases.size(); ++b) {
     const double load = assembled.base_loads.col(static_cast<Index>(b)).cwiseAbs().maxCoeff();
     if (load > kNoMotion * assembled.base_masses(static_cast<Index>(b))) continue;
@@ -387,14 +390,41 @@ AssembledSystem assemble_system(const MeshedStructure& structure) {
                      InputState{"moving only fixed rows"}, "must move free mass",
                      "Name all rows that move with it, or its direction.");
   }
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    require_motion(assembled.joints, static_cast<Index>(i),
-                   fmt::format("joint '{}'", joint_names[i]));
+}
+
+/// Each column of motions must move something. @param of  "joint" or "point".
+void require_motions(const Sparse& motions, std::string_view of,
+                     const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    require_motion(motions, static_cast<Index>(i), fmt::format("{} '{}'", of, names[i]));
   }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    require_motion(assembled.points, static_cast<Index>(i),
-                   fmt::format("point '{}'", point_names[i]));
+}
+
+}  // namespace
+
+AssembledSystem assemble_system(const MeshedStructure& structure) {
+  check_sizes(structure.matrices);
+  const MeshRows rows(structure);
+  const NamedMotions points = motions_of_points(structure, rows);
+  const NamedMotions joints = motions_of_joints(structure, rows);
+  check_all_names(structure, points, joints);
+
+  Sparse stiffness = full_matrix(structure.matrices.stiffness, "stiffness matrix");
+  Sparse mass = full_matrix(structure.matrices.mass, "mass matrix");
+  check_rows(stiffness, mass, rows);
+  check_mass(mass);
+  const Transformation transformation(rows, structure);
+  AssembledSystem assembled;
+  assembled.points = motions_matrix(points.motions, rows.size());
+  assembled.joints = motions_matrix(joints.motions, rows.size());
+  assembled.loose_rows = loose_rows(stiffness, mass, assembled.joints, rows, transformation);
+  add_bases(rows, structure, stiffness, mass, assembled);
+  if (!transformation.is_trivial()) {
+    reduce_system(transformation.matrix(), stiffness, mass, assembled);
   }
+  check_bases_move(structure, assembled);
+  require_motions(assembled.joints, "joint", joints.names);
+  require_motions(assembled.points, "point", points.names);
   assembled.system.stiffness = std::move(stiffness);
   assembled.system.mass = std::move(mass);
   assembled.system.spring_motions = Sparse(assembled.system.size(), 0);
