@@ -18,31 +18,32 @@ namespace {
 
 constexpr double kRadians = 2.0 * std::numbers::pi;  // per cycle
 
+/// Calls copy(member of C, member of C++) for each option that both have alike.
+template <typename Copy>
+void for_each_same(const Copy& copy) {
+  using Given = microslip_frf_options;
+  using Own = HarmonicBalanceOptions;
+  copy(&Given::harmonics, &Own::harmonics);
+  copy(&Given::samples, &Own::samples);
+  copy(&Given::tolerance, &Own::tolerance);
+  copy(&Given::max_iterations, &Own::max_iterations);
+  copy(&Given::largest_change, &Own::largest_change);
+  copy(&Given::least_points, &Own::least_points);
+  copy(&Given::max_points, &Own::max_points);
+  copy(&Given::accuracy, &Own::accuracy);
+}
+
 microslip_frf_options frf_defaults() {
   const HarmonicBalanceOptions of;
   microslip_frf_options all{};
-  all.harmonics = of.harmonics;
-  all.samples = of.samples;
-  all.tolerance = of.tolerance;
-  all.max_iterations = of.max_iterations;
-  all.largest_change = of.largest_change;
-  all.least_points = of.least_points;
-  all.max_points = of.max_points;
-  all.accuracy = of.accuracy;
+  for_each_same([&](auto given, auto own) { all.*given = of.*own; });
   all.judge = 1;
   return all;
 }
 
 HarmonicBalanceOptions balance_options(const microslip_frf_options& options) {
   HarmonicBalanceOptions all;
-  all.harmonics = options.harmonics;
-  all.samples = options.samples;
-  all.tolerance = options.tolerance;
-  all.max_iterations = options.max_iterations;
-  all.largest_change = options.largest_change;
-  all.least_points = options.least_points;
-  all.max_points = options.max_points;
-  all.accuracy = options.accuracy;
+  for_each_same([&](auto given, auto own) { all.*own = options.*given; });
   if (options.modal_forcing != 0) all.forcing = Forcing::kModal;
   for (const double frequency : values(options.at_count, options.at, "options->at")) {
     all.frequencies.push_back(kRadians * frequency);

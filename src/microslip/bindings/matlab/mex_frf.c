@@ -116,21 +116,16 @@ static mxArray* peaks_of(const microslip_curve* curve) {
   return column;
 }
 
+static microslip_status warning_of(const void* curve, size_t index, const char** code,
+                                   const char** text) {
+  return microslip_curve_warning(curve, index, code, text);
+}
+
 static void set_ending(mxArray* to, const microslip_curve* curve) {
   microslip_outcome outcome;
-  mxArray* warnings;
-  size_t i;
   outcome.struct_size = sizeof outcome;
   mx_must(microslip_curve_outcome(curve, &outcome));
-  mx_set_outcome(to, &outcome);
-  warnings = mx_new_warnings(outcome.warning_count);
-  for (i = 0; i < outcome.warning_count; ++i) {
-    const char* code;
-    const char* words;
-    mx_must(microslip_curve_warning(curve, i, &code, &words));
-    mx_set_warning(warnings, i, code, words);
-  }
-  mx_set(to, "warnings", warnings);
+  mx_set_ending(to, &outcome, curve, warning_of);
 }
 
 static mxArray* curve_struct(const microslip_curve* curve, const microslip_structure* structure) {

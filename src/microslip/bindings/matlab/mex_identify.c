@@ -113,21 +113,16 @@ static void set_value(mxArray* to, const char* field, const microslip_identifica
   mx_set_number(to, field, value);
 }
 
+static microslip_status warning_of(const void* found, size_t index, const char** code,
+                                   const char** text) {
+  return microslip_identification_warning(found, index, code, text);
+}
+
 static void set_ending(mxArray* to, const microslip_identification* found) {
   microslip_outcome outcome;
-  mxArray* warnings;
-  size_t i;
   outcome.struct_size = sizeof outcome;
   mx_must(microslip_identification_outcome(found, &outcome));
-  mx_set_outcome(to, &outcome);
-  warnings = mx_new_warnings(outcome.warning_count);
-  for (i = 0; i < outcome.warning_count; ++i) {
-    const char* code;
-    const char* words;
-    mx_must(microslip_identification_warning(found, i, &code, &words));
-    mx_set_warning(warnings, i, code, words);
-  }
-  mx_set(to, "warnings", warnings);
+  mx_set_ending(to, &outcome, found, warning_of);
 }
 
 /* (levels, options) */

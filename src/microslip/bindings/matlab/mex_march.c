@@ -113,21 +113,16 @@ static mxArray* energy_of(const microslip_marched* marched) {
   return energy;
 }
 
+static microslip_status warning_of(const void* marched, size_t index, const char** code,
+                                   const char** text) {
+  return microslip_marched_warning(marched, index, code, text);
+}
+
 static void set_ending(mxArray* to, const microslip_marched* marched) {
   microslip_outcome outcome;
-  mxArray* warnings;
-  size_t i;
   outcome.struct_size = sizeof outcome;
   mx_must(microslip_marched_outcome(marched, &outcome));
-  mx_set_outcome(to, &outcome);
-  warnings = mx_new_warnings(outcome.warning_count);
-  for (i = 0; i < outcome.warning_count; ++i) {
-    const char* code;
-    const char* words;
-    mx_must(microslip_marched_warning(marched, i, &code, &words));
-    mx_set_warning(warnings, i, code, words);
-  }
-  mx_set(to, "warnings", warnings);
+  mx_set_ending(to, &outcome, marched, warning_of);
 }
 
 static mxArray* marched_struct(const microslip_marched* marched,

@@ -235,20 +235,23 @@ void mx_set_text(mxArray* structure, const char* field, const char* text) {
   mx_set(structure, field, mxCreateString(text));
 }
 
-void mx_set_outcome(mxArray* structure, const microslip_outcome* outcome) {
+void mx_set_ending(mxArray* structure, const microslip_outcome* outcome, const void* result,
+                   mx_warning_of warning_of) {
+  static const char* fields[] = {"code", "text"};
+  const size_t count = outcome->warning_count;
+  mxArray* const warnings = mxCreateStructMatrix(count, count > 0 ? 1 : 0, 2, fields);
+  size_t i;
   mx_set(structure, "converged", mxCreateLogicalScalar(outcome->converged != 0));
   mx_set_text(structure, "reason", outcome->reason);
   mx_set_text(structure, "summary", outcome->summary);
-}
-
-mxArray* mx_new_warnings(size_t count) {
-  static const char* fields[] = {"code", "text"};
-  return mxCreateStructMatrix(count, count > 0 ? 1 : 0, 2, fields);
-}
-
-void mx_set_warning(mxArray* warnings, size_t index, const char* code, const char* text) {
-  mxSetField(warnings, index, "code", mxCreateString(code));
-  mxSetField(warnings, index, "text", mxCreateString(text));
+  for (i = 0; i < count; ++i) {
+    const char* code;
+    const char* text;
+    mx_must(warning_of(result, i, &code, &text));
+    mxSetField(warnings, i, "code", mxCreateString(code));
+    mxSetField(warnings, i, "text", mxCreateString(text));
+  }
+  mx_set(structure, "warnings", warnings);
 }
 
 #ifdef MICROSLIP_FOR_OCTAVE

@@ -61,11 +61,11 @@ void mx_set_number(mxArray* structure, const char* field, double value);
 void mx_set_text(mxArray* structure, const char* field, const char* text);
 mxArray* mx_new_struct(void);
 
-/* converged, reason, summary. */
-void mx_set_outcome(mxArray* structure, const microslip_outcome* outcome);
-/* An empty list of warnings of which mx_set_warning() fills one after the other. */
-mxArray* mx_new_warnings(size_t count);
-void mx_set_warning(mxArray* warnings, size_t index, const char* code, const char* text);
+/* converged, reason, summary, and warnings, each of which `warning_of` gives of a result. */
+typedef microslip_status (*mx_warning_of)(const void* result, size_t index, const char** code,
+                                          const char** text);
+void mx_set_ending(mxArray* structure, const microslip_outcome* outcome, const void* result,
+                   mx_warning_of warning_of);
 
 /* Ctrl-C while a function of microslip runs, in Octave: the progress says stop. */
 void mx_begin_listening(void);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -91,12 +92,7 @@ py::list list_of_failures(const DrawsTaken& taken) {
   return all;
 }
 
-// ---- Over the frequency. ----
-
-struct DrawnCurve {
-  ResponseCurve curve;
-  std::optional<ResponseSpread> spread;
-};
+// ---- Curves. ----
 
 py::list list_of_peaks(const ResponseSpread& spread) {
   py::list all;
@@ -114,33 +110,6 @@ py::object dict_of(const ResponseSpread& spread) {
                   "warnings"_a = list_of(spread.warnings));
 }
 
-py::dict draw_frequency(const JudgedBalance& of, const std::string& kept, double value, double from,
-                        double to, const py::dict& given, const py::object& listener) {
-  const ResponseRange range{
-      {kept == "force" ? Quantity::kForceAmplitude : Quantity::kResponse, value}, from, to};
-  const Draws draws = draws_of_structure(*of.model, given);
-  const DrawnCurve drawn = long_result(
-      [&](const Progress& progress) {
-        DrawnCurve all{of.follow_frequency(range.kept, from, to, progress), {}};
-        if (all.curve.summary.converged()) {
-          all.spread = response_spread(of.balance, all.curve, range, draws.structures,
-                                       draws.options, Execution::threads(), progress);
-        }
-        return all;
-      },
-      listener);
-  py::dict all = curve_dict(drawn.curve);
-  all["spread"] = drawn.spread ? dict_of(*drawn.spread) : py::object(py::none());
-  return all;
-}
-
-// ---- Of resonances. ----
-
-struct DrawnResonances {
-  ResponseCurve curve;
-  std::optional<BackboneSpread> spread;
-};
-
 py::object dict_of(const BackboneSpread& spread) {
   return py::dict("force"_a = tuple_of(spread.force), "frequency"_a = tuple_of(spread.frequency),
                   "damping_ratio"_a = tuple_of(spread.damping_ratio),
@@ -149,23 +118,47 @@ py::object dict_of(const BackboneSpread& spread) {
                   "warnings"_a = list_of(spread.warnings));
 }
 
+/// The curve that `follow` finds, and the band that `spread_of` finds over it where it ends well.
+template <class Follow, class SpreadOf>
+py::dict drawn_curve(const Follow& follow, const SpreadOf& spread_of, const py::object& listener) {
+  using Spread = std::invoke_result_t<SpreadOf, const ResponseCurve&, const Progress&>;
+  const auto drawn = long_result(
+      [&](const Progress& progress) {
+        std::pair<ResponseCurve, std::optional<Spread>> all{follow(progress), {}};
+        if (all.first.summary.converged()) all.second = spread_of(all.first, progress);
+        return all;
+      },
+      listener);
+  py::dict all = curve_dict(drawn.first);
+  all["spread"] = drawn.second ? dict_of(*drawn.second) : py::object(py::none());
+  return all;
+}
+
+py::dict draw_frequency(const JudgedBalance& of, const std::string& kept, double value, double from,
+                        double to, const py::dict& given, const py::object& listener) {
+  const ResponseRange range{
+      {kept == "force" ? Quantity::kForceAmplitude : Quantity::kResponse, value}, from, to};
+  const Draws draws = draws_of_structure(*of.model, given);
+  return drawn_curve(
+      [&](const Progress& progress) { return of.follow_frequency(range.kept, from, to, progress); },
+      [&](const ResponseCurve& curve, const Progress& progress) {
+        return response_spread(of.balance, curve, range, draws.structures, draws.options,
+                               Execution::threads(), progress);
+      },
+      listener);
+}
+
 py::dict draw_backbone(const JudgedBalance& of, const RealArray& responses, std::size_t mode,
                        const py::dict& given, const py::object& listener) {
   const std::vector<double> at = copy_of(responses);
   const Draws draws = draws_of_structure(*of.model, given);
-  const DrawnResonances drawn = long_result(
-      [&](const Progress& progress) {
-        DrawnResonances all{of.follow_backbone(at, mode, true, progress), {}};
-        if (all.curve.summary.converged()) {
-          all.spread = backbone_spread(of.balance, all.curve, at, mode, draws.structures,
-                                       draws.options, Execution::threads(), progress);
-        }
-        return all;
+  return drawn_curve(
+      [&](const Progress& progress) { return of.follow_backbone(at, mode, true, progress); },
+      [&](const ResponseCurve& curve, const Progress& progress) {
+        return backbone_spread(of.balance, curve, at, mode, draws.structures, draws.options,
+                               Execution::threads(), progress);
       },
       listener);
-  py::dict all = curve_dict(drawn.curve);
-  all["spread"] = drawn.spread ? dict_of(*drawn.spread) : py::object(py::none());
-  return all;
 }
 
 // ---- In time. ----

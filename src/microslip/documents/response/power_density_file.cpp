@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/documents/response/power_density_file.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "microslip/base/error.hpp"
-#include "microslip/io/bytes/input_file.hpp"
-#include "microslip/io/tables/csv.hpp"
+#include "microslip/documents/response/checked_table.hpp"
 
 namespace microslip {
 
 PowerDensity read_power_density(const std::string& path, const Dimension& of) {
-  const CsvTable table(read_text(path), input_name(path));
-  PowerDensity read{table.numbers("frequency", kFrequency),
-                    table.numbers("density", of.power(2) / kFrequency)};
-  try {
-    read.check();
-  } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", table.file(), error.name()));
-  }
-  return read;
+  return read_checked_table(path, [&](const CsvTable& table) {
+    return PowerDensity{table.numbers("frequency", kFrequency),
+                        table.numbers("density", of.power(2) / kFrequency)};
+  });
 }
 
 }  // namespace microslip

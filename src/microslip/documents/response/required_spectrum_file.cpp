@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/documents/response/required_spectrum_file.hpp"
 
-#include <fmt/format.h>
-
-#include "microslip/base/error.hpp"
-#include "microslip/io/bytes/input_file.hpp"
-#include "microslip/io/tables/csv.hpp"
+#include "microslip/documents/response/checked_table.hpp"
 
 namespace microslip {
 
 RequiredSpectrum read_required_spectrum(const std::string& path) {
-  const CsvTable table(read_text(path), input_name(path));
-  RequiredSpectrum read{table.numbers("frequency", kFrequency),
-                        table.numbers("maximax", kAcceleration)};
-  try {
-    read.check();
-  } catch (const InputError& error) {
-    throw error.renamed(fmt::format("{}: {}", table.file(), error.name()));
-  }
-  return read;
+  return read_checked_table(path, [](const CsvTable& table) {
+    return RequiredSpectrum{table.numbers("frequency", kFrequency),
+                            table.numbers("maximax", kAcceleration)};
+  });
 }
 
 }  // namespace microslip

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -62,23 +63,29 @@ void add_joint_columns(const CsvTable& table, const std::vector<JointColumn>& co
   }
 }
 
+/// Reads what was measured. @param prefix  of the names of these columns.
+void read_measured(const CsvTable& table, const std::string& prefix, LevelsOfModes& levels) {
+  const auto read = [&](const char* name, const Dimension& dimension) {
+    return table.numbers_if_present(prefix + name, dimension);
+  };
+  levels.measured_frequency = read("frequency", kFrequency);
+  levels.measured_frequency_std = read("frequency_std", kFrequency);
+  levels.measured_dissipation = read("dissipation", kEnergy);
+  levels.measured_dissipation_std = read("dissipation_std", kEnergy);
+  levels.measured_damping_ratio = read("damping_ratio", kDimensionless);
+  levels.measured_damping_ratio_std = read("damping_ratio_std", kDimensionless);
+}
+
 }  // namespace
 
 LevelsOfModes calibrated_levels_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   LevelsOfModes levels = levels_with_modes(table);
-  levels.measured_frequency = table.numbers_if_present("measured_frequency", kFrequency);
-  levels.measured_frequency_std = table.numbers_if_present("measured_frequency_std", kFrequency);
+  read_measured(table, "measured_", levels);
   levels.frequency = table.numbers("frequency", kFrequency);
   levels.frequency_residual = table.numbers_if_present("frequency_residual", kDimensionless);
-  levels.measured_dissipation = table.numbers_if_present("measured_dissipation", kEnergy);
-  levels.measured_dissipation_std = table.numbers_if_present("measured_dissipation_std", kEnergy);
   levels.dissipation = table.numbers("dissipation", kEnergy);
   levels.residual = table.numbers_if_present("residual", kDimensionless);
-  levels.measured_damping_ratio =
-      table.numbers_if_present("measured_damping_ratio", kDimensionless);
-  levels.measured_damping_ratio_std =
-      table.numbers_if_present("measured_damping_ratio_std", kDimensionless);
   levels.damping_ratio = table.numbers("damping_ratio", kDimensionless);
   add_joint_columns(table,
                     {{"measured_amplitude_", &kLength, &JointOverLevels::measured_amplitude},
@@ -93,12 +100,7 @@ LevelsOfModes calibrated_levels_of(const NamedInput& input) {
 LevelsOfModes modal_levels_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   LevelsOfModes levels = levels_with_modes(table);
-  levels.measured_frequency = table.numbers_if_present("frequency", kFrequency);
-  levels.measured_frequency_std = table.numbers_if_present("frequency_std", kFrequency);
-  levels.measured_dissipation = table.numbers_if_present("dissipation", kEnergy);
-  levels.measured_dissipation_std = table.numbers_if_present("dissipation_std", kEnergy);
-  levels.measured_damping_ratio = table.numbers_if_present("damping_ratio", kDimensionless);
-  levels.measured_damping_ratio_std = table.numbers_if_present("damping_ratio_std", kDimensionless);
+  read_measured(table, "", levels);
   std::vector<std::string_view> not_joints;
   for (const CsvColumn& column : table.columns()) {
     if (column.name.ends_with("_std")) not_joints.emplace_back(column.name);
