@@ -92,6 +92,7 @@ LevelsFile parse_levels(std::string text, std::string_view file, const LevelsRea
   LevelsFile read{std::move(levels), table.file(), table.row_lines(), std::move(reversals),
                   std::move(flags)};
   read_assemblies(table, options.assemblies, read);
+  if (options.sources && table.has("source")) read.source = table.text("source");
   return read;
 }
 
@@ -118,6 +119,7 @@ LevelsFile without_inner_reversals(const LevelsFile& file) {
   result.flags = kept(file.flags);
   result.assembly = kept(file.assembly);
   result.stiffness = kept(file.stiffness);
+  result.source = kept(file.source);
   result.levels.linear_dissipation = kept(file.levels.linear_dissipation);
   result.levels.frequency = kept(file.levels.frequency);
   result.levels.frequency_std = kept(file.levels.frequency_std);

@@ -27,7 +27,8 @@ struct LevelsFile {
   std::vector<double> reversals;           ///< one per level, 1; empty where not given
   std::vector<std::string> flags = {};     ///< one per level, separated by blanks; empty if none
   std::vector<std::string> assembly = {};  ///< one per level; empty where not given
-  std::vector<double> stiffness = {};  ///< k of the assembly of a level, N/m; if it was asked for
+  std::vector<double> stiffness = {};      ///< k of the assembly of a level, N/m; if asked for
+  std::vector<std::string> source = {};  ///< record of a level; if asked for, empty where not given
 
   /// D determines the density where the joint reverses twice per cycle; with inner reversals it
   /// includes the loss of inner loops too [AR14 (7)].
@@ -53,6 +54,7 @@ enum class LinearLossColumn {
 struct LevelsReadOptions {
   LinearLossColumn linear_dissipation = LinearLossColumn::kIgnored;  ///< how W_lin is taken
   bool assemblies = false;  ///< no name in `assembly` is empty; `stiffness [N/m]` is read
+  bool sources = false;     ///< `source` is read
 };
 
 /// Levels from the text of a levels.csv.

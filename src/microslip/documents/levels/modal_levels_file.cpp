@@ -111,11 +111,8 @@ void check_loss(const CsvTable& table, const ModalLevels& levels) {
       "dissipation is that of all joints together, damping_ratio includes the structure too.");
 }
 
-}  // namespace
-
-ModalLevels parse_modal_levels(std::string text, std::string_view file,
-                               std::span<const std::string> joints, std::size_t modes) {
-  const CsvTable table(std::move(text), file);
+ModalLevels modal_levels_in(const CsvTable& table, std::span<const std::string> joints,
+                            std::size_t modes) {
   ModalLevels levels;
   levels.mode = read_modes(table, modes);
   levels.displacement = table.numbers("displacement", kLength);
@@ -140,6 +137,25 @@ ModalLevels parse_modal_levels(std::string text, std::string_view file,
   }
   check_loss(table, levels);
   return levels;
+}
+
+std::vector<std::string> text_if_present(const CsvTable& table, std::string_view name) {
+  return table.has(name) ? table.text(name) : std::vector<std::string>{};
+}
+
+}  // namespace
+
+ModalLevels parse_modal_levels(std::string text, std::string_view file,
+                               std::span<const std::string> joints, std::size_t modes) {
+  return modal_levels_in(CsvTable(std::move(text), file), joints, modes);
+}
+
+LabelledModalLevels parse_labelled_modal_levels(std::string text, std::string_view file,
+                                                std::span<const std::string> joints,
+                                                std::size_t modes) {
+  const CsvTable table(std::move(text), file);
+  return {modal_levels_in(table, joints, modes), text_if_present(table, "source"),
+          text_if_present(table, "flags")};
 }
 
 }  // namespace microslip

@@ -15,9 +15,7 @@
 #include "microslip/base/error.hpp"
 #include "microslip/base/gather.hpp"
 #include "microslip/documents/levels/levels_file.hpp"
-#include "microslip/io/bytes/input_name.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
-#include "microslip/io/tables/csv.hpp"
 #include "microslip/workflow/campaign/campaign_test_kinds.hpp"
 #include "microslip/workflow/reduce/level_table.hpp"
 
@@ -38,26 +36,6 @@ constexpr std::array kOptional{
     OptionalValues{&Levels::frequency, "frequency"},
     OptionalValues{&Levels::frequency_std, "frequency_std"},
 };
-
-/// Names of the records of a table of levels.
-std::vector<std::string> sources_of(const NamedInput& input, const LevelsFile& used) {
-  const CsvTable table(input.text, input_name(input.path));
-  if (!table.has("source")) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < used.levels.size(); ++i) {
-      names.push_back(fmt::format("level {}", i + 1));
-    }
-    return names;
-  }
-  const std::vector<std::string> all = table.text("source");
-  const std::vector<std::size_t> lines = parse_levels(input.text, input_name(input.path)).line;
-  std::vector<std::string> names;
-  for (const std::size_t line : used.line) {
-    const auto row = std::ranges::find(lines, line) - lines.begin();
-    names.push_back(all[static_cast<std::size_t>(row)]);
-  }
-  return names;
-}
 
 /// Adds levels; `all` keeps the values that both have.
 void append_levels(const Levels& more, const std::string& test, CampaignLevels& all) {
@@ -102,8 +80,8 @@ void append_test(const CampaignFile& campaign, std::size_t number, const LevelTa
                  CampaignLevels& all) {
   const LevelsFile& used = table.used;
   append_levels(used.levels, campaign.tests[number].name, all);
-  std::ranges::copy(sources_of(table.input, used), std::back_inserter(all.source));
   for (std::size_t i = 0; i < used.levels.size(); ++i) {
+    all.source.push_back(used.source.empty() ? numbered_level(i) : used.source[i]);
     all.test.push_back(number);
     all.flags.push_back(used.flags.empty() ? "" : used.flags[i]);
     all.reversals.push_back(used.reversals.empty() ? 2.0 : used.reversals[i]);
@@ -112,6 +90,8 @@ void append_test(const CampaignFile& campaign, std::size_t number, const LevelTa
 }
 
 }  // namespace
+
+std::string numbered_level(std::size_t number) { return fmt::format("level {}", number + 1); }
 
 std::string levels_path(const std::string& out, const CampaignTest& test) {
   return (std::filesystem::path(out) / (test.name + "_levels.csv")).string();
@@ -126,7 +106,8 @@ CampaignLevels campaign_levels(const OpenedCampaign& campaign, const std::string
     append_test(plan, t,
                 level_table_of(levels_of_test(campaign, t, out, command, progress, all),
                                {.use_inner_reversals = plan.use_inner_reversals,
-                                .assemblies = AssemblyColumn::kRefused}),
+                                .assemblies = AssemblyColumn::kRefused,
+                                .sources = true}),
                 all);
   }
   return all;

@@ -40,6 +40,9 @@ struct CampaignLevels {
   [[nodiscard]] std::size_t mode_of(std::size_t i) const { return mode.empty() ? 1 : mode[i]; }
 };
 
+/// "level 3" of number 2: a level of a table that does not name its record.
+[[nodiscard]] std::string numbered_level(std::size_t number);
+
 /// Where the levels of a test that is reduced go.
 [[nodiscard]] std::string levels_path(const std::string& out, const CampaignTest& test);
 

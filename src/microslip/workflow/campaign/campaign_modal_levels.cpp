@@ -9,13 +9,11 @@
 #include <limits>
 #include <utility>
 
-#include "microslip/base/gather.hpp"
 #include "microslip/documents/levels/modal_levels_file.hpp"
 #include "microslip/io/bytes/input_name.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/provenance.hpp"
-#include "microslip/io/tables/csv.hpp"
 #include "microslip/workflow/campaign/campaign_test_kinds.hpp"
 #include "microslip/workflow/identify/calibration.hpp"
 
@@ -39,21 +37,6 @@ NamedInput modal_table_of_test(const OpenedCampaign& campaign, std::size_t numbe
   return {all.tables.back().path, all.tables.back().content};
 }
 
-/// Names of the records of a table.
-std::vector<std::string> sources_of_modal(const NamedInput& input, std::size_t count) {
-  const CsvTable table(input.text, input_name(input.path));
-  if (table.has("source")) return table.text("source");
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < count; ++i) names.push_back(fmt::format("level {}", i + 1));
-  return names;
-}
-
-/// Flags of each level, separated by blanks; empty where there are none.
-std::vector<std::string> flags_of_modal_table(const NamedInput& input, std::size_t count) {
-  const CsvTable table(input.text, input_name(input.path));
-  return table.has("flags") ? table.text("flags") : std::vector<std::string>(count);
-}
-
 /// A vector of one value per level, NaN where it was not measured.
 std::vector<double> whole(const std::vector<double>& values, std::size_t count) {
   return values.empty() ? std::vector<double>(count, std::numeric_limits<double>::quiet_NaN())
@@ -68,12 +51,12 @@ std::size_t number_of_session(const CampaignFile& campaign, const CampaignTest& 
 void append_modal_test(const CampaignFile& campaign, std::size_t number, const ModelFile& model,
                        const NamedInput& input, CampaignModalLevels& all) {
   const std::vector<std::string> joints = names_of_joints(model);
-  const ModalLevels whole_table = parse_modal_levels(input.text, input_name(input.path), joints,
-                                                     model.structure.linear().vibrations());
+  const LabelledModalLevels table = parse_labelled_modal_levels(
+      input.text, input_name(input.path), joints, model.structure.linear().vibrations());
   const CampaignTest& test = campaign.tests[number];
   const std::vector<std::size_t> asked = of_campaign_test(
-      test, [&] { return levels_of_modes(whole_table, campaign_reading(test).modes, test.file); });
-  ModalLevels more = some_levels(whole_table, asked);
+      test, [&] { return levels_of_modes(table.levels, campaign_reading(test).modes, test.file); });
+  ModalLevels more = some_levels(table.levels, asked);
   const std::size_t count = more.size();
   if (campaign.session_offsets) {
     more.session.assign(count, number_of_session(campaign, test));
@@ -82,10 +65,10 @@ void append_modal_test(const CampaignFile& campaign, std::size_t number, const M
   CampaignLevels& levels = all.levels;
   for (const std::size_t mode : more.mode) levels.mode.push_back(mode + 1);
   levels.test.insert(levels.test.end(), count, number);
-  std::ranges::copy(gather(sources_of_modal(input, whole_table.size()), asked),
-                    std::back_inserter(levels.source));
-  std::ranges::copy(gather(flags_of_modal_table(input, whole_table.size()), asked),
-                    std::back_inserter(levels.flags));
+  for (const std::size_t i : asked) {
+    levels.source.push_back(table.source.empty() ? numbered_level(i) : table.source[i]);
+    levels.flags.push_back(table.flags.empty() ? "" : table.flags[i]);
+  }
   levels.reversals.insert(levels.reversals.end(), count, 2.0);
   std::ranges::copy(more.displacement, std::back_inserter(levels.levels.amplitude));
   std::ranges::copy(whole(more.frequency, count), std::back_inserter(levels.levels.frequency));

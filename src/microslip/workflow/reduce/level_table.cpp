@@ -66,15 +66,14 @@ LevelsFile usable_levels(LevelsFile file, bool use_inner_reversals) {
                     "`inner_reversals use` includes them.");
 }
 
-void warn_of_reversed(const LevelsFile& all, bool used, std::vector<Warning>& warnings) {
+std::optional<Warning> warning_of_reversed(const LevelsFile& all, bool used) {
   const std::vector<std::size_t> lines = all.lines_with_inner_reversals();
-  if (lines.empty()) return;
-  warnings.push_back(
-      {used ? "inner_reversals_used" : "levels_left_out",
-       fmt::format("{} of {} levels ({} {} of {}) have inner reversals; they were {}.",
-                   lines.size(), all.levels.size(), lines.size() == 1 ? "line" : "lines",
-                   fmt::join(lines, ", "), printable(all.file),
-                   used ? "used nevertheless" : "left out")});
+  if (lines.empty()) return std::nullopt;
+  return Warning{
+      used ? "inner_reversals_used" : "levels_left_out",
+      fmt::format("{} of {} levels ({} {} of {}) have inner reversals; they were {}.", lines.size(),
+                  all.levels.size(), lines.size() == 1 ? "line" : "lines", fmt::join(lines, ", "),
+                  printable(all.file), used ? "used nevertheless" : "left out")};
 }
 
 /// Flags that the levels used carry.
@@ -124,13 +123,15 @@ LevelTable level_table_of(NamedInput input, const LevelTableOptions& options) {
   LevelTable table{.input = std::move(input)};
   const LevelsFile all = parse_levels(table.input.text, input_name(table.input.path),
                                       {.linear_dissipation = options.linear_dissipation,
-                                       .assemblies = options.assemblies == AssemblyColumn::kUsed});
+                                       .assemblies = options.assemblies == AssemblyColumn::kUsed,
+                                       .sources = options.sources});
   check_assembly_column(all, options.assemblies);
   table.reversed = all.lines_with_inner_reversals();
   table.used = usable_levels(all, options.use_inner_reversals);
   check_sizes(table.used);
   warn_of_flags(table.used, table.warnings);
-  warn_of_reversed(all, options.use_inner_reversals, table.warnings);
+  table.reversed_warning = warning_of_reversed(all, options.use_inner_reversals);
+  if (table.reversed_warning) table.warnings.push_back(*table.reversed_warning);
   return table;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct LevelTableOptions {
   bool use_inner_reversals = false;
   LinearLossColumn linear_dissipation = LinearLossColumn::kIgnored;  ///< how W_lin is taken
   AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< how the column `assembly` is taken
+  bool sources = false;                                 ///< whether `source` is read
 };
 
 /// The levels of a file.
@@ -39,7 +41,9 @@ struct LevelTable {
   NamedInput input;                        ///< as read
   LevelsFile used = {};                    ///< those to identify from
   std::vector<std::size_t> reversed = {};  ///< lines of those with inner reversals
-  std::vector<Warning> warnings = {};      ///< of flags; the last of inner reversals
+  /// Of these; among `warnings`, too.
+  std::optional<Warning> reversed_warning = {};
+  std::vector<Warning> warnings = {};  ///< of flags and of inner reversals
 };
 
 /// @throws FormatError             as parse_levels(), at the cell that no joint can have, and where
