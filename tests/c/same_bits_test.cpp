@@ -386,8 +386,8 @@ TEST(CIdentify, WritesTheJointFileOfTheProgram) {
   const char* text = nullptr;
   ASSERT_OK(microslip_identification_joint(found, joint.out()));
   ASSERT_OK(microslip_joint_text(joint, &text));
-  EXPECT_EQ(text, joint_text(expected.found, same.options, expected.input,
-                             "microslip identify levels.csv", same.texts));
+  EXPECT_EQ(text,
+            joint_text(same, expected.found, expected.input, "microslip identify levels.csv"));
 }
 
 /// Levels with W_lin.
@@ -408,7 +408,7 @@ void expect_program_with_loss(double loss_factor_std) {
   LevelsIdentification same;
   same.levels = kWithLoss;
   same.stiffness = 1.7e5;
-  same.texts.common_errors.loss_factor_std = loss_factor_std;
+  same.errors.loss_factor_std = loss_factor_std;
   same.options.bands = BandOptions{.samples = 40};
   const IdentifiedLevels expected = identify_levels(same);
 
@@ -420,7 +420,7 @@ void expect_program_with_loss(double loss_factor_std) {
   options.bands = 40;
   options.command = "microslip identify";
   EXPECT_EQ(joint_text_of(levels, options),
-            joint_text(expected.found, same.options, expected.input, options.command, same.texts));
+            joint_text(same, expected.found, expected.input, options.command));
 }
 
 TEST(CIdentify, KnowsTheLinearLossOfAFile) { expect_program_with_loss(0.05); }

@@ -334,9 +334,9 @@ LevelsIdentification levels_options(const IdentifyArguments& arguments, bool qui
   refuse_options_of_recordings(arguments);
   LevelsIdentification all;
   all.levels = arguments.evidence.front();
-  all.texts = {arguments.smoothing, arguments.smoothing_unit, arguments.inner_reversals,
-               errors_of(arguments), arguments.samples_out};
-  if (draws_of_levels(arguments).none()) check_unused(arguments, all.texts.common_errors);
+  all.texts = {arguments.smoothing, arguments.smoothing_unit, arguments.samples_out};
+  all.errors = errors_of(arguments);
+  if (draws_of_levels(arguments).none()) check_unused(arguments, all.errors);
   all.options = library_options(arguments, quiet);
   all.stiffness = parse_stiffness(arguments.stiffness);
   all.use_inner_reversals = arguments.inner_reversals == "use";

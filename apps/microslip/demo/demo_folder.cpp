@@ -33,8 +33,8 @@ std::string DemoFolder::path_of(const std::string& name) const {
 void DemoFolder::add_identification(const std::string& folder, const Identification& found,
                                     const IdentificationOptions& options,
                                     const std::string& input_name, std::string_view input) {
-  add(folder + "/joint.json",
-      joint_text(found, options, {input_name, std::string(input)}, call_.command_line));
+  add(folder + "/joint.json", joint_text({.options = options}, found,
+                                         {input_name, std::string(input)}, call_.command_line));
   add(folder + "/density.csv", density_csv(found, call_.command_line));
 }
 

@@ -78,11 +78,10 @@ int run(const IdentifyArguments& arguments, const Call& call) {
   const LevelsIdentification options = levels_options(arguments, call.quiet);
   const IdentifiedLevels done = identify_levels(options);
   return finish(
-      arguments, call, done.found,
-      joint_text(done.found, options.options, done.input, call.command_line, options.texts),
-      keep ? samples_bytes(done.found, options.options, done.input, call.command_line,
-                           options.texts, arguments.samples_out)
-           : "",
+      arguments, call, done.found, joint_text(options, done.found, done.input, call.command_line),
+      keep
+          ? samples_bytes(options, done.found, done.input, call.command_line, arguments.samples_out)
+          : "",
       describe_identified_levels(options, done));
 }
 

@@ -108,7 +108,7 @@ void check_draws(std::size_t bands) {
 
 /// Checked before the levels, whose file would be blamed.
 void check_options(const LevelsIdentification& all) {
-  check_member([&] { all.texts.common_errors.check(); });
+  check_member([&] { all.errors.check(); });
   if (!all.options.bands) return;
   const BandOptions& bands = *all.options.bands;
   check_draws(bands.samples);
@@ -131,8 +131,7 @@ LevelsIdentification levels_identification(const microslip_identify_options& opt
   all.stiffness = stiffness_of(options);
   all.texts.smoothing = text_or(options.smoothing, "gcv");
   if (options.smoothing_unit != nullptr) all.texts.smoothing_unit = options.smoothing_unit;
-  all.texts.common_errors = {options.dissipation_gain_std, options.amplitude_gain_std,
-                             options.loss_factor_std};
+  all.errors = {options.dissipation_gain_std, options.amplitude_gain_std, options.loss_factor_std};
   all.options.method = method_of(text_or(options.method, "inversion"));
   all.options.fit = model_of(text_or(options.fit, "none"));
   all.options.inversion.linear_damping = options.linear_damping != 0;
@@ -163,8 +162,8 @@ std::string command_of(const microslip_identify_options& options) {
 /// Levels of a file carry its name in messages and its warnings.
 Identification found_in(const microslip_levels& levels, const LevelsIdentification& options) {
   if (levels.of_file) return identify_table(levels.table, options).found;
-  return identify(LevelEvidence(levels.table.used.levels, options.texts.common_errors),
-                  options.stiffness, options.options);
+  return identify(LevelEvidence(levels.table.used.levels, options.errors), options.stiffness,
+                  options.options);
 }
 
 microslip_identification* identified(const microslip_levels& levels,
@@ -175,7 +174,7 @@ microslip_identification* identified(const microslip_levels& levels,
   Identification found = found_in(levels, all);
   std::vector<NamedInput> inputs;
   if (levels.of_file && !levels.changed) inputs.push_back(levels.table.input);
-  JointFile file = identified_joint(found, all.options, inputs, command, all.texts);
+  JointFile file = identified_joint(all, found, inputs, command);
   Ending ending(found.summary, found.warnings,
                 describe_identification(found, levels.table.used.levels.size()));
   return new microslip_identification{

@@ -64,9 +64,9 @@ LevelsIdentification level_options_of(const py::dict& given) {
   LevelsIdentification all;
   all.texts.smoothing = given["smoothing"].cast<std::string>();
   all.texts.smoothing_unit = text_or_none(given["smoothing_unit"]);
-  all.texts.common_errors = {.dissipation_gain_std = given["dissipation_gain_std"].cast<double>(),
-                             .amplitude_gain_std = given["amplitude_gain_std"].cast<double>(),
-                             .loss_factor_std = given["loss_factor_std"].cast<double>()};
+  all.errors = {.dissipation_gain_std = given["dissipation_gain_std"].cast<double>(),
+                .amplitude_gain_std = given["amplitude_gain_std"].cast<double>(),
+                .loss_factor_std = given["loss_factor_std"].cast<double>()};
   all.options.method = find_identification_method(given["method"].cast<std::string>()).value();
   all.options.inversion.linear_damping = given["linear_damping"].cast<bool>();
   all.options.inversion.atom = given["atom"].cast<bool>();
@@ -145,12 +145,11 @@ py::dict identify_levels(const py::dict& columns, double stiffness, const py::di
       [&](const Progress& progress) {
         IdentificationOptions options = of.options;
         if (options.bands) options.bands->progress = progress;
-        return identify(LevelEvidence(levels, of.texts.common_errors), stiffness, options);
+        return identify(LevelEvidence(levels, of.errors), stiffness, options);
       },
       listener);
   for (const auto& [code, words] : notes) found.warnings.push_back({code, words});
-  return identification_dict(
-      found, identified_joint(found, of.options, {input_of(levels)}, command, of.texts));
+  return identification_dict(found, identified_joint(of, found, {input_of(levels)}, command));
 }
 
 /// The levels of a file that an identification uses, and warnings about the others.

@@ -33,9 +33,8 @@ LevelsIdentification identification_of(const CampaignRun& run, const CampaignFil
   all.stiffness = plan.stiffness;
   all.use_inner_reversals = plan.use_inner_reversals;
   all.texts.smoothing = plan.smoothing;
-  all.texts.inner_reversals = plan.use_inner_reversals ? "use" : "leave-out";
-  all.texts.common_errors = {.dissipation_gain_std = plan.dissipation_gain_std,
-                             .amplitude_gain_std = plan.amplitude_gain_std};
+  all.errors = {.dissipation_gain_std = plan.dissipation_gain_std,
+                .amplitude_gain_std = plan.amplitude_gain_std};
   all.options.inversion.linear_damping = plan.linear_damping;
   all.options.inversion.edges = plan.edges;
   all.options.inversion.atom = plan.atom;
@@ -89,7 +88,7 @@ class RigJoint : public CampaignJoints {
     return leave_one_out(plan_, all.levels,
                          {.stiffness = plan_.stiffness,
                           .identification = identification_.options,
-                          .errors = identification_.texts.common_errors,
+                          .errors = identification_.errors,
                           .execution = run_.execution,
                           .progress = progress});
   }
@@ -128,16 +127,14 @@ class RigJoint : public CampaignJoints {
     files[0].content = identified_->input.text;
     files[1].content = format_joint(joint_of(found));
     if (plan_.draws == 0) return files;
-    files[2].content =
-        samples_bytes(identified_->found, identification_.options, identified_->input, run_.command,
-                      identification_.texts, in_folder(run_, kSamplesName));
+    files[2].content = samples_bytes(identification_, identified_->found, identified_->input,
+                                     run_.command, in_folder(run_, kSamplesName));
     return files;
   }
 
  private:
   [[nodiscard]] JointFile joint_of(const Identification& found) const {
-    return identified_joint(found, identification_.options, {identified_->input}, run_.command,
-                            identification_.texts);
+    return identified_joint(identification_, found, {identified_->input}, run_.command);
   }
 
   [[nodiscard]] SessionEffects effects_by(const CampaignLevels& levels,
@@ -150,7 +147,7 @@ class RigJoint : public CampaignJoints {
   [[nodiscard]] SessionEffects effects_by_first_joint(const CampaignLevels& levels) const {
     LevelsIdentification first = identification_;
     first.options.bands.reset();
-    first.texts.common_errors = {};
+    first.errors = {};
     const std::vector<double> none(levels.size(), 0.0);
     return effects_by(levels, identify_table(pooled(levels, none), first).found);
   }

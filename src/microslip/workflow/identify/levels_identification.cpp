@@ -18,17 +18,35 @@
 namespace microslip {
 namespace {
 
-Provenance levels_provenance(const IdentificationOptions& options,
-                             const std::vector<NamedInput>& inputs, std::string_view command,
-                             const OptionTexts& texts) {
+NamedValues record_of_options(const LevelsIdentification& of) {
+  const IdentificationOptions& options = of.options;
+  NamedValues record;
+  record.emplace_back("method", std::string(to_string(options.method)));
+  record.emplace_back("smoothing", of.texts.smoothing);
+  if (of.texts.smoothing_unit) record.emplace_back("smoothing_unit", *of.texts.smoothing_unit);
+  record.emplace_back("linear_damping", options.inversion.linear_damping ? "fit" : "none");
+  record.emplace_back("atom", options.inversion.atom ? "sought" : "none");
+  record.emplace_back("edges", options.inversion.edges ? "sought" : "none");
+  record.emplace_back("bands", options.bands ? static_cast<double>(options.bands->samples) : 0.0);
+  if (!of.texts.samples_out.empty()) record.emplace_back("samples_out", of.texts.samples_out);
+  record.emplace_back("dissipation_gain_std", of.errors.dissipation_gain_std);
+  record.emplace_back("amplitude_gain_std", of.errors.amplitude_gain_std);
+  record.emplace_back("loss_factor_std", of.errors.loss_factor_std);
+  record.emplace_back("fit", options.fit ? std::string(to_string(*options.fit)) : "none");
+  record.emplace_back("inner_reversals", of.use_inner_reversals ? "use" : "leave-out");
+  return record;
+}
+
+Provenance levels_provenance(const LevelsIdentification& options,
+                             const std::vector<NamedInput>& inputs, std::string_view command) {
   Provenance provenance;
   provenance.version = kVersion;
   provenance.command = command;
   for (const NamedInput& input : inputs) {
     provenance.inputs.push_back({input.path, sha256(input.text)});
   }
-  provenance.options = record_of_options(options, texts);
-  if (options.bands) provenance.seed = options.bands->seed;
+  provenance.options = record_of_options(options);
+  if (options.options.bands) provenance.seed = options.options.bands->seed;
   return provenance;
 }
 
@@ -44,8 +62,7 @@ void check_losses(const LevelsFile& file) {
 /// Errors of the levels name their file.
 Identification identified(const LevelsFile& file, const LevelsIdentification& options) {
   try {
-    return identify(LevelEvidence(file.levels, options.texts.common_errors), options.stiffness,
-                    options.options);
+    return identify(LevelEvidence(file.levels, options.errors), options.stiffness, options.options);
   } catch (const InputError& error) {
     throw error.renamed(fmt::format("{}: {}", file.file, error.name()));
   }
@@ -54,9 +71,8 @@ Identification identified(const LevelsFile& file, const LevelsIdentification& op
 }  // namespace
 
 IdentifiedLevels identify_levels(const LevelsIdentification& options) {
-  const auto linear_loss = options.texts.common_errors.loss_factor_std > 0.0
-                               ? LinearLossColumn::kNeeded
-                               : LinearLossColumn::kIgnored;
+  const auto linear_loss =
+      options.errors.loss_factor_std > 0.0 ? LinearLossColumn::kNeeded : LinearLossColumn::kIgnored;
   LevelTable table =
       read_level_table(options.levels, {.use_inner_reversals = options.use_inner_reversals,
                                         .linear_dissipation = linear_loss,
@@ -69,35 +85,37 @@ IdentifiedLevels identify_table(LevelTable table, const LevelsIdentification& op
   IdentifiedLevels done{.input = std::move(table.input), .found = identified(table.used, options)};
   done.count = table.used.levels.size();
   done.reversed = std::move(table.reversed);
+  done.reversed_warning = std::move(table.reversed_warning);
   std::ranges::move(table.warnings, std::back_inserter(done.found.warnings));
   return done;
 }
 
-JointFile identified_joint(const Identification& found, const IdentificationOptions& options,
-                           const std::vector<NamedInput>& inputs, std::string_view command,
-                           const OptionTexts& texts) {
-  return joint_file_of(found_joint(found), levels_provenance(options, inputs, command, texts));
+JointFile identified_joint(const LevelsIdentification& options, const Identification& found,
+                           const std::vector<NamedInput>& inputs, std::string_view command) {
+  return joint_file_of(found_joint(found), levels_provenance(options, inputs, command));
 }
 
-std::string joint_text(const Identification& found, const IdentificationOptions& options,
-                       const NamedInput& input, std::string_view command,
-                       const OptionTexts& texts) {
-  return format_joint(identified_joint(found, options, {input}, command, texts));
+std::string joint_text(const LevelsIdentification& options, const Identification& found,
+                       const NamedInput& input, std::string_view command) {
+  return format_joint(identified_joint(options, found, {input}, command));
 }
 
-std::string samples_bytes(const Identification& found, const IdentificationOptions& options,
+std::string samples_bytes(const LevelsIdentification& options, const Identification& found,
                           const NamedInput& input, std::string_view command,
-                          const OptionTexts& texts, const std::string& path) {
-  return joint_samples_bytes(
-      joint_samples(found, levels_provenance(options, {input}, command, texts)), path);
+                          const std::string& path) {
+  return joint_samples_bytes(joint_samples(found, levels_provenance(options, {input}, command)),
+                             path);
 }
 
 std::string describe_identified_levels(const LevelsIdentification& options,
                                        const IdentifiedLevels& done) {
+  if (!done.reversed_warning) return describe_identification(done.found, done.count);
   // Levels with inner reversals have a line of their own.
   Identification found = done.found;
-  if (done.reversed.empty()) return describe_identification(found, done.count);
-  found.warnings.pop_back();
+  std::erase_if(found.warnings, [&](const Warning& warning) {
+    return warning.code == done.reversed_warning->code &&
+           warning.text == done.reversed_warning->text;
+  });
   const bool one = done.reversed.size() == 1;
   return describe_identification(found, done.count) +
          line("inner reversals",

@@ -10,6 +10,7 @@
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/identify/methods/identification.hpp"
 #include "microslip/io/output/provenance.hpp"
+#include "microslip/observe/common_errors.hpp"
 #include "microslip/workflow/identify/recorded_options.hpp"
 #include "microslip/workflow/reduce/level_table.hpp"
 
@@ -20,13 +21,14 @@ namespace microslip {
 
 /// Inputs and options of identify_levels().
 struct LevelsIdentification {
-  std::string levels;                  ///< path of levels.csv; "-" is standard input
+  std::string levels = {};             ///< path of levels.csv; "-" is standard input
   double stiffness = 0.0;              ///< k of the stuck joint, N/m; > 0
   IdentificationOptions options = {};  ///< of the method
   /// Takes levels with inner reversals, too, whose D is not that of one loop [AR14 (7)].
   bool use_inner_reversals = false;
   AssemblyColumn assemblies = AssemblyColumn::kUnsaid;  ///< how the column `assembly` is taken
-  OptionTexts texts = {};  ///< what joint.json tells of the options; with the common errors
+  CommonErrors errors = {};                             ///< that all levels share
+  OptionTexts texts = {};                               ///< of options, for joint.json
 };
 
 /// Result of identify_levels().
@@ -35,6 +37,8 @@ struct IdentifiedLevels {
   Identification found;                    ///< with warnings of the file, too
   std::size_t count = 0;                   ///< levels that were used
   std::vector<std::size_t> reversed = {};  ///< lines of those with inner reversals
+  /// Of these; among the warnings of `found`, too.
+  std::optional<Warning> reversed_warning = {};
 };
 
 /// Reads the levels and identifies the joint.
@@ -51,38 +55,28 @@ struct IdentifiedLevels {
                                               const LevelsIdentification& options);
 
 /// Contents of joint.json.
-/// @param found    with its warnings.
 /// @param options  that it was found with.
+/// @param found    with its warnings.
 /// @param inputs   the levels; empty where they came from no file.
 /// @param command  that the file is made by.
-/// @param texts    of the options.
-[[nodiscard]] JointFile identified_joint(const Identification& found,
-                                         const IdentificationOptions& options,
+[[nodiscard]] JointFile identified_joint(const LevelsIdentification& options,
+                                         const Identification& found,
                                          const std::vector<NamedInput>& inputs,
-                                         std::string_view command, const OptionTexts& texts = {});
+                                         std::string_view command);
 
-/// The text of joint.json.
-/// @param found       with its warnings.
-/// @param options     that it was found with.
-/// @param input       the levels.
-/// @param command     that the file is made by.
-/// @param texts       of the options.
-[[nodiscard]] std::string joint_text(const Identification& found,
-                                     const IdentificationOptions& options, const NamedInput& input,
-                                     std::string_view command, const OptionTexts& texts = {});
+/// The text of joint.json; the rest as of identified_joint().
+/// @param input  the levels.
+[[nodiscard]] std::string joint_text(const LevelsIdentification& options,
+                                     const Identification& found, const NamedInput& input,
+                                     std::string_view command);
 
-/// The bytes of joint_samples.h5.
-/// @param found    with its draws.
-/// @param options  that it was found with.
-/// @param input    the levels.
-/// @param command  that the file is made by.
-/// @param texts    of the options.
-/// @param path     of the file.
+/// The bytes of joint_samples.h5; the rest as of joint_text().
+/// @param found  with its draws.
+/// @param path   of the file.
 /// @throws InputError  as joint_samples(). @throws FileError  as joint_samples_bytes().
-[[nodiscard]] std::string samples_bytes(const Identification& found,
-                                        const IdentificationOptions& options,
-                                        const NamedInput& input, std::string_view command,
-                                        const OptionTexts& texts, const std::string& path);
+[[nodiscard]] std::string samples_bytes(const LevelsIdentification& options,
+                                        const Identification& found, const NamedInput& input,
+                                        std::string_view command, const std::string& path);
 
 /// The summary.
 [[nodiscard]] std::string describe_identified_levels(const LevelsIdentification& options,

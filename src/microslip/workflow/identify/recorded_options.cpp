@@ -24,22 +24,4 @@ IdentificationOptions recorded_options(const NamedValues& record) {
   return options;
 }
 
-NamedValues record_of_options(const IdentificationOptions& options, const OptionTexts& texts) {
-  NamedValues record;
-  record.emplace_back("method", std::string(to_string(options.method)));
-  record.emplace_back("smoothing", texts.smoothing);
-  if (texts.smoothing_unit) record.emplace_back("smoothing_unit", *texts.smoothing_unit);
-  record.emplace_back("linear_damping", options.inversion.linear_damping ? "fit" : "none");
-  record.emplace_back("atom", options.inversion.atom ? "sought" : "none");
-  record.emplace_back("edges", options.inversion.edges ? "sought" : "none");
-  record.emplace_back("bands", options.bands ? static_cast<double>(options.bands->samples) : 0.0);
-  if (!texts.samples_out.empty()) record.emplace_back("samples_out", texts.samples_out);
-  record.emplace_back("dissipation_gain_std", texts.common_errors.dissipation_gain_std);
-  record.emplace_back("amplitude_gain_std", texts.common_errors.amplitude_gain_std);
-  record.emplace_back("loss_factor_std", texts.common_errors.loss_factor_std);
-  record.emplace_back("fit", options.fit ? std::string(to_string(*options.fit)) : "none");
-  record.emplace_back("inner_reversals", texts.inner_reversals);
-  return record;
-}
-
 }  // namespace microslip

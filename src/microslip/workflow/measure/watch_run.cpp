@@ -283,7 +283,7 @@ void WatchedTest::identify_table(const std::string& levels, double stiffness) {
   options.options.bands = BandOptions{.progress = options_.progress};
   const IdentifiedLevels done = identify_levels(options);
   options_.tell(WatchedNews::kJoint, joint_line(done.found, done.count));
-  write_joint(joint_text(done.found, options.options, done.input, options_.command, options.texts),
+  write_joint(joint_text(options, done.found, done.input, options_.command),
               density_csv(done.found, options_.command));
   plan_next(levels, stiffness, done.count);
 }
