@@ -35,11 +35,13 @@ Warning outlier(const std::string& test, std::size_t level) {
   return {"level_outlier", test + ": level " + std::to_string(level) + " has much loss."};
 }
 
-std::vector<std::string> texts_of(const std::vector<Warning>& warnings) {
+/// Texts of warnings, of which those of outliers are of these levels.
+std::vector<std::string> texts_of(const std::vector<std::size_t>& outliers,
+                                  const std::vector<Warning>& warnings) {
   const CampaignLevels levels = levels_of_two();
   std::vector<std::string> texts;
   for (const Warning& warning : with_outliers_by_test(
-           two_tests(), levels, std::vector<double>(levels.size(), 1.0), warnings)) {
+           two_tests(), levels, std::vector<double>(levels.size(), 1.0), outliers, warnings)) {
     texts.push_back(warning.text);
   }
   return texts;
@@ -47,10 +49,15 @@ std::vector<std::string> texts_of(const std::vector<Warning>& warnings) {
 
 TEST(CampaignOutliers, OfAWholeTestAreOneWarning) {
   std::vector<Warning> warnings{{"scatter_large", "losses scatter."}};
-  for (std::size_t i = 1; i <= kLevelsOfTest; ++i) warnings.push_back(outlier("b", i));
+  std::vector<std::size_t> outliers;
+  for (std::size_t i = 1; i <= kLevelsOfTest; ++i) {
+    warnings.push_back(outlier("b", i));
+    outliers.push_back(kLevelsOfTest + i - 1);
+  }
   warnings.push_back(outlier("a", 1));
+  outliers.push_back(0);
   EXPECT_EQ(
-      texts_of(warnings),
+      texts_of(outliers, warnings),
       (std::vector<std::string>{
           "losses scatter.",
           "b: all 12 levels have 1.1 to 1.21 times the identified loss, far outside the scatter "
@@ -58,10 +65,9 @@ TEST(CampaignOutliers, OfAWholeTestAreOneWarning) {
           "a: level 1 has much loss."}));
 }
 
-// "b: level 1" is no beginning of "b: level 12".
 TEST(CampaignOutliers, AreCountedWithTheirNumbers) {
-  const std::vector<std::string> texts =
-      texts_of({outlier("b", 2), outlier("b", 4), outlier("b", 11), outlier("b", 12)});
+  const std::vector<std::string> texts = texts_of(
+      {13, 15, 22, 23}, {outlier("b", 2), outlier("b", 4), outlier("b", 11), outlier("b", 12)});
   ASSERT_EQ(texts.size(), 1U);
   EXPECT_TRUE(texts[0].starts_with("b: 4 of 12 levels (2, 4, 11, 12) have 1.11 to 1.21 times"))
       << texts[0];
@@ -69,7 +75,8 @@ TEST(CampaignOutliers, AreCountedWithTheirNumbers) {
 
 TEST(CampaignOutliers, OfAFewLevelsAreNamedEach) {
   const std::vector<Warning> few{outlier("b", 1), outlier("b", 12), outlier("a", 3)};
-  EXPECT_EQ(texts_of(few), (std::vector<std::string>{few[0].text, few[1].text, few[2].text}));
+  EXPECT_EQ(texts_of({12, 23, 2}, few),
+            (std::vector<std::string>{few[0].text, few[1].text, few[2].text}));
 }
 
 }  // namespace

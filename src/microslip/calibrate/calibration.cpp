@@ -161,6 +161,7 @@ CalibrationResult calibrate(const JointedStructure& structure,
   read_calibration(evidence, options, state, range, states, result);
   result.summary.timings.push_back(watch.lap("draws"));
   if (options.progress) (void)options.progress(done + 1, done + 1);
+  result.outliers = loss_outliers(result);
   result.warnings = diagnose(result, levels, options.level_names);
   result.summary.wall_seconds = watch.seconds();
   return result;

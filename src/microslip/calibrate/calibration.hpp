@@ -39,6 +39,11 @@ namespace microslip {
                                           const std::string& response, const ModalLevels& levels,
                                           const CalibrationOptions& options = {});
 
+/// Returns the levels, from 0, whose loss deviates far more than the scatter of the losses: beyond
+/// what one calibration in a thousand has by chance. None where the densities have half as many
+/// degrees of freedom as there are levels.
+[[nodiscard]] std::vector<std::size_t> loss_outliers(const CalibrationResult& result);
+
 /// Warnings of a calibration:
 ///   * `levels_not_found`      the structure has no resonance at the displacement of a level;
 ///   * `known_only_together`   two joints contribute alike to all levels;

@@ -241,24 +241,26 @@ void warn_of_scatter(const CalibrationResult& result, const LevelNames& names,
   }
 }
 
-/// Levels whose loss deviates by far more than the scatter of the others, which is their median:
-/// one or two of many do not move it. Corrected for the degrees of freedom of the densities.
-void warn_of_outliers(const CalibrationResult& result, const LevelNames& names,
-                      std::vector<Warning>& warnings) {
+/// What residuals of losses scatter by, 1: their median, which one or two of many do not move,
+/// corrected for the degrees of freedom of the densities. NaN where these are too many.
+double typical_residual(const CalibrationResult& result) {
   std::vector<double> sizes;
   for (const CalibratedLevel& level : result.levels) {
     if (level.found && std::isfinite(level.residual)) sizes.push_back(std::abs(level.residual));
   }
   const auto count = static_cast<double>(sizes.size());
-  if (count <= 2.0 * result.edf) return;
+  if (count <= 2.0 * result.edf) return std::numeric_limits<double>::quiet_NaN();
   const double scatter =
       median(std::move(sizes)) / kMedianOfNormal * std::sqrt(count / (count - result.edf));
   const double least = result.loss_std_given ? 1.0 : kLeastScatter;
-  const double typical = std::max(scatter, least / result.loss_scatter);
-  const double most = boost::math::quantile(boost::math::normal(), 1.0 - 0.5 * kByChance / count);
-  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+  return std::max(scatter, least / result.loss_scatter);
+}
+
+void warn_of_outliers(const CalibrationResult& result, const LevelNames& names,
+                      std::vector<Warning>& warnings) {
+  const double typical = typical_residual(result);
+  for (const std::size_t i : result.outliers) {
     const CalibratedLevel& level = result.levels[i];
-    if (!level.found || !(std::abs(level.residual) > most * typical)) continue;
     warnings.push_back(
         {"level_outlier",
          fmt::format("{} has {:.3g} times the fitted loss, {:.3g} times as far off as the levels "
@@ -357,6 +359,22 @@ void warn_of_sensors(const CalibrationResult& result, const ModalLevels& levels,
 }
 
 }  // namespace
+
+std::vector<std::size_t> loss_outliers(const CalibrationResult& result) {
+  const double typical = typical_residual(result);
+  const auto is_judged = [](const CalibratedLevel& level) {
+    return level.found && std::isfinite(level.residual);
+  };
+  const auto count = static_cast<double>(std::ranges::count_if(result.levels, is_judged));
+  std::vector<std::size_t> outliers;
+  if (std::isnan(typical)) return outliers;
+  const double most = boost::math::quantile(boost::math::normal(), 1.0 - 0.5 * kByChance / count);
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    const CalibratedLevel& level = result.levels[i];
+    if (is_judged(level) && std::abs(level.residual) > most * typical) outliers.push_back(i);
+  }
+  return outliers;
+}
 
 std::vector<Warning> diagnose(const CalibrationResult& result, const ModalLevels& levels,
                               const std::vector<std::string>& names) {

@@ -119,11 +119,13 @@ struct CalibrationResult {
   double frequency_scatter = 0.0;
   /// Scatter of displacements of joints by sensors over their σ; 0 where none has one.
   double sensor_scatter = 0.0;
-  bool loss_std_given = false;         ///< whether σ of all losses was known
-  bool frequency_std_given = false;    ///< whether σ of all frequencies was known
-  bool edges_sought = false;           ///< whether edges were requested and the levels sufficient
-  double edf = 0.0;                    ///< effective degrees of freedom of all densities together
-  double confidence = 0.0;             ///< of the bands
+  bool loss_std_given = false;       ///< whether σ of all losses was known
+  bool frequency_std_given = false;  ///< whether σ of all frequencies was known
+  bool edges_sought = false;         ///< whether edges were requested and the levels sufficient
+  double edf = 0.0;                  ///< effective degrees of freedom of all densities together
+  double confidence = 0.0;           ///< of the bands
+  /// Levels of the warnings `level_outlier`, from 0, in their order.
+  std::vector<std::size_t> outliers = {};
   std::vector<Warning> warnings = {};  ///< see diagnose()
   Summary summary = {};                ///< residual: last change of an amplitude, relative
 };

@@ -117,8 +117,8 @@ class CampaignWork {
   [[nodiscard]] DoneCampaign done() {
     DoneCampaign all{.plan = plan_};
     joints_->identify(stage(run_, 0, stages_), all);
-    all.warnings =
-        with_outliers_by_test(plan_, all.levels, all.sessions.dissipation, std::move(all.warnings));
+    all.warnings = with_outliers_by_test(plan_, all.levels, all.sessions.dissipation, all.outliers,
+                                         std::move(all.warnings));
     std::ranges::move(copies_of_tests(opened_), std::back_inserter(all.warnings));
     all.conditions = condition_effects(plan_, all.levels, all.sessions);
     leave_out(all);

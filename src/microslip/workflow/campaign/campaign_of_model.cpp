@@ -107,6 +107,7 @@ class ModelJoints : public CampaignJoints {
     all.found.summary = describe_calibration(calibration_, described);
     std::ranges::copy(all.levels.warnings, std::back_inserter(all.warnings));
     std::ranges::copy(found.warnings, std::back_inserter(all.warnings));
+    all.outliers = found.outliers;
   }
 
   [[nodiscard]] std::vector<LeftOut> leave_out(const DoneCampaign& all,

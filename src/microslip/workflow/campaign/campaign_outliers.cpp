@@ -42,20 +42,12 @@ std::string outliers_text(const std::string& test, std::size_t levels,
          "or leave it out.";
 }
 
-/// The level that a warning is of; the number of all where it is no outlier.
-std::size_t outlier_in(const Warning& warning, const std::vector<std::string>& names) {
-  if (warning.code != kOutlier) return names.size();
-  const auto is_of = [&](const std::string& name) { return warning.text.starts_with(name + " "); };
-  return static_cast<std::size_t>(std::ranges::find_if(names, is_of) - names.begin());
-}
-
 /// Those of tests that have many, by test.
 std::map<std::size_t, OutliersOfTest> many_outliers(const CampaignLevels& levels,
                                                     const std::vector<double>& dissipation,
                                                     const std::vector<std::size_t>& outliers) {
   std::map<std::size_t, OutliersOfTest> tests;
   for (const std::size_t level : outliers) {
-    if (level == levels.size()) continue;
     const auto first = std::ranges::find(levels.test, levels.test[level]) - levels.test.begin();
     const double over = levels.levels.dissipation[level] / dissipation[level];
     OutliersOfTest& test = tests[levels.test[level]];
@@ -72,17 +64,16 @@ std::map<std::size_t, OutliersOfTest> many_outliers(const CampaignLevels& levels
 
 std::vector<Warning> with_outliers_by_test(const CampaignFile& plan, const CampaignLevels& levels,
                                            const std::vector<double>& dissipation,
+                                           const std::vector<std::size_t>& outliers,
                                            std::vector<Warning> warnings) {
-  const std::vector<std::string> names = names_of_levels(plan, levels);
-  std::vector<std::size_t> outliers;  // of each warning
-  for (const Warning& warning : warnings) outliers.push_back(outlier_in(warning, names));
   std::map<std::size_t, OutliersOfTest> many = many_outliers(levels, dissipation, outliers);
   std::vector<Warning> gathered;
-  for (std::size_t i = 0; i < warnings.size(); ++i) {
-    const auto test =
-        outliers[i] < levels.size() ? many.find(levels.test[outliers[i]]) : many.end();
+  auto level = outliers.begin();
+  for (Warning& warning : warnings) {
+    const bool is_outlier = warning.code == kOutlier && level != outliers.end();
+    const auto test = is_outlier ? many.find(levels.test[*level++]) : many.end();
     if (test == many.end()) {
-      gathered.push_back(std::move(warnings[i]));
+      gathered.push_back(std::move(warning));
     } else if (!test->second.number.empty()) {
       const auto all = static_cast<std::size_t>(std::ranges::count(levels.test, test->first));
       gathered.push_back(

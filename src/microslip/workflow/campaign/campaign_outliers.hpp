@@ -17,10 +17,12 @@ namespace microslip {
 /// @param plan         whose tests the levels are of.
 /// @param levels       that the joints were identified from, with D as measured.
 /// @param dissipation  D of the joints at each, J.
-/// @param warnings     those of levels begin with their names, as names_of_levels().
+/// @param outliers     the level of each of the warnings `level_outlier`, from 0.
+/// @param warnings     of the identification.
 [[nodiscard]] std::vector<Warning> with_outliers_by_test(const CampaignFile& plan,
                                                          const CampaignLevels& levels,
                                                          const std::vector<double>& dissipation,
+                                                         const std::vector<std::size_t>& outliers,
                                                          std::vector<Warning> warnings);
 
 }  // namespace microslip

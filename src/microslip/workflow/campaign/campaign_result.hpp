@@ -42,7 +42,9 @@ struct DoneCampaign {
   VerifiedTests verified = {};                   ///< sweeps and modes of the predicted tests
   std::vector<std::size_t> test_of = {};         ///< number in the plan of each of these, from 0
   std::vector<Warning> warnings = {};            ///< of all of it but the verified tests
-  std::vector<ResultFile> files = {};            ///< to be written
+  /// Levels of the warnings `level_outlier` of the identification, from 0, in their order.
+  std::vector<std::size_t> outliers = {};
+  std::vector<ResultFile> files = {};  ///< to be written
 
   /// Whether all was found.
   [[nodiscard]] bool converged() const;
