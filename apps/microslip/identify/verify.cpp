@@ -91,6 +91,14 @@ void write_outputs(const VerifyOptions& options, const VerifiedRecordings& verif
   outputs.commit();
 }
 
+/// Refuses a joint among the recordings, which are opened for that.
+void require_no_joint_behind(const VerifyOptions& options) {
+  const auto joint = std::ranges::find(options.recordings, kJointKind, kind_of_file);
+  if (joint == options.recordings.end()) return;
+  throw InputError(*joint, known_kind(kJointKind)->words, "must be named directly after rig.toml",
+                   fmt::format("Name {} after it.", options.joint));
+}
+
 /// The joint and the recordings of a rig.
 void name_inputs(VerifyOptions& options) {
   const auto require_rig = [&] {  // it may be no rig, or missing
@@ -98,13 +106,10 @@ void name_inputs(VerifyOptions& options) {
   };
   options.joint = options.tests.front();
   options.recordings.assign(options.tests.begin() + 1, options.tests.end());
-  const auto joint = std::ranges::find(options.recordings, kJointKind, kind_of_file);
-  if (joint != options.recordings.end()) {
-    throw InputError(*joint, known_kind(kJointKind)->words, "must be named directly after rig.toml",
-                     fmt::format("Name {} after it.", options.joint));
-  }
   const KnownKind* const known = known_kind(kind_of_file(options.joint));
-  if (known != nullptr && known->kind != kJointKind) {
+  const bool is_joint = known != nullptr && known->kind == kJointKind;
+  if (!is_joint) require_no_joint_behind(options);
+  if (known != nullptr && !is_joint) {
     require_rig();
     throw InputError(options.joint, known->words,
                      "must be a joint.json after a rig.toml, followed by its records",
