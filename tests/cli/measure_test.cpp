@@ -78,8 +78,8 @@ TEST(measure, WritesRecordsThatReduceToTheTruth) {
   // The rig beside the records does not know the joint.
   EXPECT_EQ(box.get("test/rig.toml").find("joint.json\""), std::string::npos);
   EXPECT_NE(box.get("test/rig.toml").find("measure rig.toml --out test"), std::string::npos);
-  EXPECT_NE(box.get("test/truth.csv").find("# rig.toml: sha256 "), std::string::npos);
-  EXPECT_NE(box.get("test/truth.csv").find("# joint.json: sha256 "), std::string::npos);
+  EXPECT_NE(box.get("test/truth.csv").find("# sha256[rig.toml] = "), std::string::npos);
+  EXPECT_NE(box.get("test/truth.csv").find("# sha256[joint.json] = "), std::string::npos);
 }
 
 TEST(measure, WritesWhatTheForceControlDid) {

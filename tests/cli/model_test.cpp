@@ -72,8 +72,8 @@ TEST(model, TellsItsOriginAndAnotherStiffness) {
   EXPECT_NE(run.err.find("The joint has k = 2e+05 N/m"), std::string::npos) << run.err;
   const std::string text = box.get("model.toml");
   EXPECT_EQ(text.rfind("# microslip ", 0), 0U);
-  EXPECT_NE(text.find("# test/rig.toml: sha256 "), std::string::npos);
-  EXPECT_NE(text.find("# test/joint.json: sha256 "), std::string::npos);
+  EXPECT_NE(text.find("# sha256[test/rig.toml] = "), std::string::npos);
+  EXPECT_NE(text.find("# sha256[test/joint.json] = "), std::string::npos);
   EXPECT_NE(text.find("\n# warning: stiffness_differs: The joint has k = 2e+05 N/m"),
             std::string::npos)
       << text;

@@ -86,7 +86,7 @@ TEST(reduce, TellsWhatItWasMadeOf) {
   for (int i = 1; i <= kLevels; ++i) {
     list += sha256(box.get(level_name(i))) + "  " + level_name(i) + "\n";
   }
-  const std::string rig = "\n# rig.toml: sha256 " + sha256(box.get("rig.toml")) + "\n";
+  const std::string rig = "\n# sha256[rig.toml] = " + sha256(box.get("rig.toml")) + "\n";
   EXPECT_NE(many.find(": microslip reduce rig.toml level_01.csv ... " + level_name(kLevels) +
                       " --out levels.csv" + rig + "# " + std::to_string(kLevels) +
                       " recordings: sha256sum | sha256sum " + sha256(list) + "\namplitude [m]"),
@@ -94,12 +94,13 @@ TEST(reduce, TellsWhatItWasMadeOf) {
       << many.substr(0, 400);
 
   expect_done(box, {"reduce", "rig.toml", "level_01.csv", "level_02.csv", "--out", "two.csv"});
-  EXPECT_NE(box.get("two.csv").find(": microslip reduce rig.toml level_01.csv level_02.csv --out "
-                                    "two.csv" +
-                                    rig + "# level_01.csv: sha256 " +
-                                    sha256(box.get("level_01.csv")) + "\n# level_02.csv: sha256 " +
-                                    sha256(box.get("level_02.csv")) + "\namplitude [m]"),
-            std::string::npos);
+  EXPECT_NE(
+      box.get("two.csv").find(": microslip reduce rig.toml level_01.csv level_02.csv --out "
+                              "two.csv" +
+                              rig + "# sha256[level_01.csv] = " + sha256(box.get("level_01.csv")) +
+                              "\n# sha256[level_02.csv] = " + sha256(box.get("level_02.csv")) +
+                              "\namplitude [m]"),
+      std::string::npos);
 
   // Options between the recordings are part of the call.
   Arguments split = all_levels();

@@ -69,7 +69,7 @@ TEST(verify, ComparesEachChannelOfEachRecord) {
     const double allowed = found.text("channel")[i] == "force" ? 0.01 : 3e-4;
     EXPECT_LE(nrmse[i] * nrmse[i], (1.0 + 0.3 * 0.3) * noise[i] * noise[i] + allowed * allowed);
   }
-  EXPECT_NE(box.get("out.csv").find("# rig.toml: sha256 "), std::string::npos);
+  EXPECT_NE(box.get("out.csv").find("# sha256[rig.toml] = "), std::string::npos);
 }
 
 TEST(verify, EndsOnInterruptWhileItDraws) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace microslip::comment_entry_test {
@@ -27,13 +28,22 @@ TEST(CommentEntry, IsFoundByKeyAndSubject) {
   EXPECT_FALSE(find_entry(comments, "value"));
 }
 
-TEST(CommentEntry, IsToldFromOtherComments) {
-  for (const char* entry : {"confidence = 0.95", "p_value[a: b] = 0", "x2 = "}) {
-    EXPECT_TRUE(is_comment_entry(entry)) << entry;
+TEST(CommentEntry, HasKeySubjectAndValue) {
+  for (const auto& [text, key, subject, value] :
+       {std::tuple{"confidence = 0.95", "confidence", "", "0.95"},
+        std::tuple{"p_value[a: b] = 0", "p_value", "a: b", "0"},
+        std::tuple{"note[microslip x.mat] = phase: a = b", "note", "microslip x.mat",
+                   "phase: a = b"},
+        std::tuple{"x2 = ", "x2", "", ""}}) {
+    const auto entry = parse_comment_entry(text);
+    ASSERT_TRUE(entry) << text;
+    EXPECT_EQ(entry->key, key);
+    EXPECT_EQ(entry->subject, subject);
+    EXPECT_EQ(entry->value, value);
   }
   for (const char* other : {"", " = 1", "draws: 40 of seed 1", "microslip identify --k = 1",
-                            "warning: few: k = 1", "Key = 1", "key=1", "key[a"}) {
-    EXPECT_FALSE(is_comment_entry(other)) << other;
+                            "warning: few: k = 1", "Key = 1", "key=1", "key[a", "key(a] = 1"}) {
+    EXPECT_FALSE(parse_comment_entry(other)) << other;
   }
 }
 

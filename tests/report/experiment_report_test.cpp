@@ -559,6 +559,7 @@ ComparisonFound compared_sweep() {
   force.lower = {0.9, 1.4};
   force.upper = {1.1, 1.6};
   ComparedCurve peak = force;
+  force.few_inside = true;
   peak.part = TestPart::kPeak;
   for (auto* values : {&peak.at, &peak.measured, &peak.predicted, &peak.lower, &peak.upper}) {
     values->erase(values->begin());

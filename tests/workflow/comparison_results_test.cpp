@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/workflow/compare/comparison_table.hpp"
@@ -12,6 +14,8 @@
 
 namespace microslip::comparison_results_test {
 namespace {
+
+using namespace std::string_literals;
 
 /// Two of three values of force in a band of 95 %, and a warning of the test.
 VerifiedTests verified(bool drawn) {
@@ -31,7 +35,7 @@ VerifiedTests verified(bool drawn) {
   if (drawn) test.taken = DrawsTaken{.options = {.count = 40}, .failures = {}};
   test.warnings = {{"draws_few", "take more."}};
   if (drawn) test.warnings.push_back({"few_inside", "2 of 3 values of force lie inside."});
-  return {.heading = "microslip 0.1.0: microslip verify\nm.toml: sha256 ab", .tests = {test}};
+  return {.heading = "microslip 0.1.0: microslip verify\nsha256[m.toml] = ab", .tests = {test}};
 }
 
 ComparisonFound read_back(bool drawn) {
@@ -45,8 +49,35 @@ TEST(ComparisonResults, HoldWhatTheCommentsOfTheTableTell) {
   EXPECT_EQ(found.warnings[1].code, "few_inside");
   EXPECT_EQ(found.warnings[1].text, "a.csv: 2 of 3 values of force lie inside.");
   ASSERT_EQ(found.notes.size(), 2U);  // draws, and how the phase was taken: not call, nor hashes
-  EXPECT_EQ(found.notes[1], "a.csv: phase: as it is");
+  EXPECT_EQ(found.notes[0].first, "draws");
+  EXPECT_EQ(found.notes[1], std::pair("a.csv"s, "phase: as it is"s));
   EXPECT_EQ(found.tests.at(0).curves.at(0).chance, 0.25);
+}
+
+// Names that look like what the program writes of itself lose nothing.
+TEST(ComparisonResults, HaveTheNotesOfTestsOfAnyName) {
+  for (const std::string name :
+       {"microslip x.mat", "a sha256.csv", "b: warning: c.csv", "n = 1.csv"}) {
+    VerifiedTests made = verified(false);
+    made.tests[0].source = name;
+    made.tests[0].failure = "no resonance";
+    const ComparisonFound found = comparison_of({"comparison.csv", comparison_table(made)});
+    ASSERT_EQ(found.notes.size(), 2U) << name;
+    EXPECT_EQ(found.notes[0], std::pair(name, "NOT CONVERGED: no resonance"s));
+    EXPECT_EQ(found.notes[1], std::pair(name, "phase: as it is"s));
+  }
+}
+
+// A curve is marked whatever words the warning has.
+TEST(ComparisonResults, NameCurvesWithFewInside) {
+  VerifiedTests made = verified(true);
+  made.tests[0].curves[0].few_inside = true;
+  made.tests[0].curves.push_back(made.tests[0].curves[0]);
+  made.tests[0].curves[1].quantity = "phase_lag";
+  made.tests[0].curves[1].few_inside = false;
+  const ComparisonFound found = comparison_of({"comparison.csv", comparison_table(made)});
+  EXPECT_TRUE(found.tests.at(0).curves.at(0).few_inside);
+  EXPECT_FALSE(found.tests.at(0).curves.at(1).few_inside);
 }
 
 TEST(ComparisonResults, RefuseSharesThatAreNone) {

@@ -54,7 +54,7 @@ TEST(ComparisonTable, HasVerdictsAndWhatItsReaderMustKnow) {
        {"# call", "# warning: of_file: cut.", "# warning: few_inside: a.mat:X(1): few.",
         "# confidence = 0.95", "# inside[a.mat:X(1): displacement] = 1",
         "# compared[a.mat:X(1): displacement] = 2", "# p_value[a.mat:X(1): displacement] = 0.1\n",
-        "# draws: 40 of seed 1"}) {
+        "# draws = 40 of seed 1"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
   }
 }

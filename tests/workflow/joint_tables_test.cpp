@@ -88,7 +88,7 @@ TEST(JointTables, DrawsOfTheNormalLoadAreThoseOfTheClosedForm) {
   // k_eq = k(1 − c/e), c small: lower for the smaller load.
   EXPECT_LT(read.numbers("secant_stiffness_lower", kStiffness).back(),
             read.numbers("secant_stiffness", kStiffness).back());
-  EXPECT_NE(table.text.find("# draws: 1000 of seed 1, 95 %"), std::string::npos) << table.text;
+  EXPECT_NE(table.text.find("# draws = 1000 of seed 1, 95 %"), std::string::npos) << table.text;
   EXPECT_EQ(table.text.find("joint_linear_dissipation"), std::string::npos);
 }
 

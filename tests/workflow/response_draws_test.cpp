@@ -175,7 +175,7 @@ TEST(ResponseDraws, ThatFailAreCountedAndLeftOut) {
   EXPECT_EQ(few.warnings[0].code, "draws_failed");
   EXPECT_EQ(few.peaks.at(0).draws, 57U);
   const std::string comment = draws_comment(few.taken, "samples");
-  EXPECT_NE(comment.find("3 of 60 failed"), std::string::npos) << comment;
+  EXPECT_NE(comment.find("draws_failed = 3 of 60"), std::string::npos) << comment;
   EXPECT_NE(comment.find("must be another"), std::string::npos) << comment;
   const ResponseSpread many = failed(3);
   EXPECT_TRUE(many.taken.too_many_failed());

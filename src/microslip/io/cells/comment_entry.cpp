@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <system_error>
 
 #include "microslip/io/cells/csv_cells.hpp"
@@ -47,12 +48,20 @@ std::optional<double> find_number_entry(std::span<const std::string> comments, s
   return std::nullopt;
 }
 
-bool is_comment_entry(std::string_view comment) {
+std::optional<CommentEntry> parse_comment_entry(std::string_view comment) {
+  constexpr std::string_view kEquals = " = ";
+  constexpr std::string_view kCloses = "] = ";
   const auto end = std::ranges::find_if_not(comment, is_of_key);
-  if (end == comment.begin()) return false;
-  const std::string_view rest = comment.substr(static_cast<std::size_t>(end - comment.begin()));
-  return rest.starts_with(" = ") ||
-         (rest.starts_with('[') && rest.find("] = ") != std::string_view::npos);
+  if (end == comment.begin()) return std::nullopt;
+  const std::string key(comment.begin(), end);
+  comment.remove_prefix(key.size());
+  if (comment.starts_with(kEquals)) {
+    return CommentEntry{key, {}, std::string(comment.substr(kEquals.size()))};
+  }
+  const std::size_t closed = comment.find(kCloses);
+  if (!comment.starts_with('[') || closed == std::string_view::npos) return std::nullopt;
+  return CommentEntry{key, std::string(comment.substr(1, closed - 1)),
+                      std::string(comment.substr(closed + kCloses.size()))};
 }
 
 }  // namespace microslip

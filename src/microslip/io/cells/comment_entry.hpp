@@ -27,7 +27,15 @@ namespace microslip {
                                                       std::string_view key,
                                                       std::string_view subject = {});
 
-/// Whether a comment is an entry of any key.
-[[nodiscard]] bool is_comment_entry(std::string_view comment);
+/// The parts of such a comment.
+struct CommentEntry {
+  std::string key;
+  std::string subject;  ///< empty where there is none
+  std::string value;
+};
+
+/// Returns the parts of an entry of any key, nothing of another comment. The subject ends at the
+/// first `] = `.
+[[nodiscard]] std::optional<CommentEntry> parse_comment_entry(std::string_view comment);
 
 }  // namespace microslip

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "microslip/base/summary.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/io/config/named_values.hpp"
 
 /// @file
 /// Provenance and warnings in files that are written.
@@ -22,7 +24,14 @@ struct NamedInput {
 /// The first comment of a file: "microslip VERSION: COMMAND".
 [[nodiscard]] std::string heading_of(std::string_view command);
 
-/// The lines of a comment: heading_of(), then "FILE: sha256 …" of each input.
+/// The comment that names an input: `sha256[FILE] = …`, see comment_entry.hpp.
+[[nodiscard]] std::string hash_comment(std::string_view file, std::string_view sha256);
+
+/// Returns the inputs that comments name so, in their order, or as "FILE: sha256 …", which earlier
+/// versions wrote.
+[[nodiscard]] std::vector<InputHash> hashes_in(std::span<const std::string> comments);
+
+/// The lines of a comment: heading_of(), then hash_comment() of each input.
 [[nodiscard]] std::string provenance_of(std::string_view command,
                                         const std::vector<NamedInput>& inputs);
 

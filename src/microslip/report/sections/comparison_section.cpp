@@ -79,15 +79,6 @@ ReportTable values_table(const std::vector<ComparedTest>& tests) {
   return table;
 }
 
-/// Whether a warning `few_inside` is of this curve.
-bool has_few_inside(const ComparisonFound& found, const ComparedTest& test,
-                    const ComparedCurve& curve) {
-  return std::ranges::any_of(found.warnings, [&](const Warning& warning) {
-    return warning.code == "few_inside" && warning.text.starts_with(test.source + ": ") &&
-           warning.text.find(fmt::format(" of {} lie ", shown_name(curve))) != std::string::npos;
-  });
-}
-
 ReportTable curves_table(const ComparisonFound& found) {
   ReportTable table{
       .title = "Tests as a whole",
@@ -106,7 +97,7 @@ ReportTable curves_table(const ComparisonFound& found) {
   for (const ComparedTest& test : found.tests) {
     for (const ComparedCurve& curve : test.curves) {
       if (curve.part != TestPart::kCurve) continue;
-      if (has_few_inside(found, test, curve)) table.marked.push_back(table.rows.size());
+      if (curve.few_inside) table.marked.push_back(table.rows.size());
       const auto count = static_cast<double>(curve.compared());
       const double none = std::nan("");
       table.rows.push_back({test.source, std::string(to_string(test.kind)), shown_name(curve),
@@ -128,16 +119,6 @@ std::string lead_of_comparison(const ComparisonFound& found) {
       counted(found.tests.size(), "test"), comparison_verdict(found));
 }
 
-ReportFacts notes_of(const ComparisonFound& found) {
-  ReportFacts facts{.title = "Comparison settings", .facts = {}, .one_column = true};
-  for (const std::string& note : found.notes) {
-    const std::size_t colon = note.find(": ");
-    if (colon == std::string::npos) continue;
-    facts.facts.emplace_back(note.substr(0, colon), note.substr(colon + 2));
-  }
-  return facts;
-}
-
 }  // namespace
 
 ReportSection comparison_section(const ExperimentResults& results) {
@@ -153,8 +134,10 @@ ReportSection comparison_section(const ExperimentResults& results) {
   if (!curves.rows.empty()) section.blocks.emplace_back(std::move(curves));
   ReportTable values = values_table(found.tests);
   if (!values.rows.empty()) section.blocks.emplace_back(std::move(values));
-  ReportFacts notes = notes_of(found);
-  if (!notes.facts.empty()) section.blocks.emplace_back(std::move(notes));
+  if (!found.notes.empty()) {
+    section.blocks.emplace_back(
+        ReportFacts{.title = "Comparison settings", .facts = found.notes, .one_column = true});
+  }
   return section;
 }
 

@@ -18,7 +18,6 @@
 #include "microslip/documents/structure/model_writer.hpp"
 #include "microslip/dynamics/structure/modal_offsets.hpp"
 #include "microslip/io/bytes/sha256.hpp"
-#include "microslip/io/bytes/text.hpp"
 #include "microslip/workflow/campaign/campaign_joints.hpp"
 #include "microslip/workflow/campaign/campaign_outliers.hpp"
 #include "microslip/workflow/campaign/campaign_plan.hpp"
@@ -54,7 +53,7 @@ CampaignComment comment_of(const CampaignRun& run, const OpenedCampaign& opened)
   }
   for (const TestFile& test : opened.tests) {
     comment.inputs.push_back({test.path, test.sha256});
-    comment.text += fmt::format("\n{}: sha256 {}", printable(test.path), test.sha256);
+    comment.text += '\n' + hash_comment(test.path, test.sha256);
   }
   return comment;
 }

@@ -99,12 +99,13 @@ void add_few_draws(const DrawsTaken& taken, std::vector<Warning>& warnings) {
 
 /// Where all values err together as few as 1 − P of the draws are all outside, but for the two
 /// draws that the edges are drawn between.
-void add_few_inside(const ComparedTest& test, std::vector<Warning>& warnings) {
+void add_few_inside(ComparedTest& test) {
   const double confidence = test.taken->options.confidence;
   const double taken = static_cast<double>(test.taken->options.count - test.taken->failed());
-  for (const ComparedCurve& curve : test.curves) {
+  for (ComparedCurve& curve : test.curves) {
     if (curve.compared() < 2 || curve.chance > 1.0 - confidence + 2.0 / taken) continue;
-    warnings.push_back(
+    curve.few_inside = true;
+    test.warnings.push_back(
         {"few_inside",
          fmt::format(
              "{} of {} values of {} lie inside the band, {:.1f} are expected; p-value {:.2g} %. "
@@ -141,7 +142,7 @@ void take_bands(const TestPredictor& predictor, const TestDraws& draws, Compared
   }
   std::ranges::move(draw_warnings(*test.taken), std::back_inserter(test.warnings));
   add_few_draws(*test.taken, test.warnings);
-  add_few_inside(test, test.warnings);
+  add_few_inside(test);
 }
 
 }  // namespace

@@ -70,6 +70,7 @@ struct ComparedCurve {
   /// p-value: share of the draws of which as few values, or fewer, lie in the band as of the
   /// measured ones, 1. NaN without a band.
   double chance = std::numeric_limits<double>::quiet_NaN();
+  bool few_inside = false;  ///< whether a warning `few_inside` is of it
 
   /// The number of values.
   [[nodiscard]] std::size_t size() const { return at.size(); }

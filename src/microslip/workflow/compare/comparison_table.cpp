@@ -47,8 +47,10 @@ std::string axis_of(const ComparedCurve& curve) {
 std::string inside_comment(const ComparedTest& test, const ComparedCurve& curve) {
   if (!curve.has_band() || curve.compared() == 0) return "";
   const std::string subject = curve_subject(test, curve);
-  return '\n' + comment_entry(kInsideKey, subject, fmt::format("{}", curve.inside())) + '\n' +
-         comment_entry(kComparedKey, subject, fmt::format("{}", curve.compared())) + '\n' +
+  std::string text;
+  if (curve.few_inside) text = '\n' + comment_entry(kFewInsideKey, subject, "yes");
+  return text + '\n' + comment_entry(kInsideKey, subject, fmt::format("{}", curve.inside())) +
+         '\n' + comment_entry(kComparedKey, subject, fmt::format("{}", curve.compared())) + '\n' +
          comment_entry(kPValueKey, subject, fmt::format("{:.3g}", curve.chance));
 }
 
@@ -65,11 +67,11 @@ std::vector<Warning> all_warnings(const VerifiedTests& verified) {
 
 std::string test_comment(const ComparedTest& test) {
   std::string text;
-  const auto add = [&](const std::string& what) {
-    text += fmt::format("\n{}: {}", test.source, what);
+  const auto add = [&](std::string_view key, const std::string& what) {
+    text += '\n' + comment_entry(key, test.source, what);
   };
-  if (!test.failure.empty()) add("NOT CONVERGED: " + test.failure);
-  if (!test.note.empty()) add(test.note);
+  if (!test.failure.empty()) add(kFailureKey, "NOT CONVERGED: " + test.failure);
+  if (!test.note.empty()) add(kNoteKey, test.note);
   if (!test.taken) return text;
   for (const ComparedCurve& curve : test.curves) {
     if (curve.part != TestPart::kCurve) continue;  // the verdict of one value is in its row

@@ -68,7 +68,7 @@ std::string assemblies_comment(const AssembliesIdentification& options,
                                const IdentifiedAssemblies& done) {
   std::string comment = heading_of(options.command);
   for (const InputHash& input : done.read.inputs) {
-    comment += fmt::format("\n{}: sha256 {}", printable(input.file), input.sha256);
+    comment += '\n' + hash_comment(input.file, input.sha256);
   }
   return with_warnings(std::move(comment), done.found.warnings);
 }

@@ -118,7 +118,7 @@ Provenance calibration_provenance(const ModelCalibration& options, const Calibra
 std::string comment_of(const ModelCalibration& options, const CalibratedModel& done) {
   std::string comment = heading_of(options.command);
   for (const InputHash& input : done.inputs) {
-    comment += fmt::format("\n{}: sha256 {}", printable(input.file), input.sha256);
+    comment += '\n' + hash_comment(input.file, input.sha256);
   }
   return with_warnings(std::move(comment), done.found.warnings);
 }

@@ -15,6 +15,7 @@
 #include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -200,16 +201,21 @@ Band band_of(const std::vector<std::vector<double>>& values, double confidence) 
 std::string draws_comment(const DrawsTaken& taken, const std::string& what) {
   const DrawOptions& options = taken.options;
   std::string text =
-      fmt::format("draws: {} of seed {}, {} % between lower and upper; uncertain: {}",
-                  options.count, options.seed, 100.0 * options.confidence, what);
+      comment_entry(kDrawsKey, "",
+                    fmt::format("{} of seed {}, {} % between lower and upper; uncertain: {}",
+                                options.count, options.seed, 100.0 * options.confidence, what));
   if (taken.failed() == 0) return text;
-  text += fmt::format("\ndraws: {}{} failed and are left out",
-                      taken.too_many_failed() ? "NOT CONVERGED: " : "", share_text(taken));
+  text += '\n' + comment_entry(
+                     kDrawsFailedKey, "",
+                     fmt::format("{}{}, left out", taken.too_many_failed() ? "NOT CONVERGED: " : "",
+                                 share_text(taken)));
   constexpr std::size_t kMostReasons = 10;
   for (std::size_t i = 0; i < std::min(taken.failures.size(), kMostReasons); ++i) {
     const DrawsTaken::Failure& failure = taken.failures[i];
-    text += fmt::format("\nfailed: {} {}, first number {}: {}", failure.count,
-                        failure.count == 1 ? "draw" : "draws", failure.example, failure.reason);
+    text += '\n' + comment_entry(kFailureKey, "",
+                                 fmt::format("{} {}, first number {}: {}", failure.count,
+                                             failure.count == 1 ? "draw" : "draws", failure.example,
+                                             failure.reason));
   }
   return text;
 }

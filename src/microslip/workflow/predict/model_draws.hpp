@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/base/execution.hpp"
@@ -141,6 +142,11 @@ struct Band {
 /// @param values      of each draw, one per row; empty where it failed.
 /// @param confidence  P.
 [[nodiscard]] Band band_of(const std::vector<std::vector<double>>& values, double confidence);
+
+// Keys of comments, see comment_entry.hpp.
+inline constexpr std::string_view kDrawsKey = "draws";               ///< number, seed, quantiles
+inline constexpr std::string_view kDrawsFailedKey = "draws_failed";  ///< of how many
+inline constexpr std::string_view kFailureKey = "failure";           ///< why, each cause
 
 /// Comments of a table: how many draws, of which seed, between which quantiles, and what failed.
 /// @param taken  what became of them.

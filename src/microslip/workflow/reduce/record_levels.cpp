@@ -178,7 +178,7 @@ std::string levels_text(const RecordLevels& found, std::string_view command) {
                  }));
   std::string comment = heading_of(command);
   for (const InputHash& input : found.inputs) {
-    if (!input.sha256.empty()) comment += fmt::format("\n{}: sha256 {}", input.file, input.sha256);
+    if (!input.sha256.empty()) comment += '\n' + hash_comment(input.file, input.sha256);
   }
   table.add_comment(with_warnings(std::move(comment), found.warnings));
   return table.str();

@@ -42,7 +42,7 @@ std::string recordings_provenance(const std::string& command, const NamedInput& 
     const std::string file = part_of_file(recordings[i]).file;
     list += fmt::format("{}  {}\n", digests[i], file);
     ++count;
-    if (digests.size() <= kMostNamed) text += fmt::format("\n{}: sha256 {}", file, digests[i]);
+    if (digests.size() <= kMostNamed) text += '\n' + hash_comment(file, digests[i]);
   }
   if (digests.size() > kMostNamed && count > 0) {
     text += fmt::format("\n{} recordings: sha256sum | sha256sum {}", count, sha256(list));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "microslip/workflow/campaign/condition_words.hpp"
 #include "microslip/workflow/compare/comparison_table.hpp"
 #include "microslip/workflow/compare/comparison_text.hpp"
+#include "microslip/workflow/predict/model_draws.hpp"
 #include "microslip/workflow/text/table_cells.hpp"
 
 namespace microslip {
@@ -42,20 +44,29 @@ std::optional<double> share_in(const CsvTable& table, std::string_view key,
                     fmt::format("{}", *share));
 }
 
-/// Takes the p-values of curves from the comments.
+/// Takes from the comments the p-values of curves, and which of them have few values inside.
 void take_p_values(const CsvTable& table, std::vector<ComparedTest>& tests) {
   for (ComparedTest& test : tests) {
     for (ComparedCurve& curve : test.curves) {
       if (curve.part != TestPart::kCurve) continue;
-      const auto value = share_in(table, kPValueKey, curve_subject(test, curve));
-      if (value) curve.chance = *value;
+      const std::string subject = curve_subject(test, curve);
+      if (const auto value = share_in(table, kPValueKey, subject)) curve.chance = *value;
+      curve.few_inside = find_entry(table.comments(), kFewInsideKey, subject).has_value();
     }
   }
 }
 
-/// How the program says what it did, and from which files: not of the tests.
-bool is_of_provenance(std::string_view comment) {
-  return comment.starts_with("microslip ") || comment.find("sha256") != std::string_view::npos;
+/// How the columns of tests were taken, and their draws.
+std::vector<std::pair<std::string, std::string>> notes_in(const CsvTable& table) {
+  constexpr std::array kKeys{kDrawsKey, kDrawsFailedKey, kFailureKey, kNoteKey};
+  std::vector<std::pair<std::string, std::string>> notes;
+  for (const std::string& comment : table.comments()) {
+    auto entry = parse_comment_entry(comment);
+    if (!entry || std::ranges::find(kKeys, entry->key) == kKeys.end()) continue;
+    notes.emplace_back(entry->subject.empty() ? std::move(entry->key) : std::move(entry->subject),
+                       std::move(entry->value));
+  }
+  return notes;
 }
 
 struct CampaignColumns {
@@ -121,10 +132,7 @@ ComparisonFound comparison_of(const NamedInput& input) {
   ComparisonFound found{.tests = compared_tests(table), .warnings = warnings_in(table)};
   found.confidence = share_in(table, kConfidenceKey);
   take_p_values(table, found.tests);
-  for (const std::string& comment : table.comments()) {
-    const bool of_program = is_of_provenance(comment) || is_comment_entry(comment);
-    if (!of_program && !parse_warning_comment(comment)) found.notes.push_back(comment);
-  }
+  found.notes = notes_in(table);
   return found;
 }
 

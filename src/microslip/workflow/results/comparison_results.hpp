@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "microslip/base/summary.hpp"
@@ -18,8 +19,9 @@ namespace microslip {
 
 /// comparison.csv.
 struct ComparisonFound {
-  std::vector<ComparedTest> tests = {};   ///< without their loops, and what became of draws
-  std::vector<std::string> notes = {};    ///< how columns were taken, and draws
+  std::vector<ComparedTest> tests = {};  ///< without their loops, and what became of draws
+  /// How columns were taken, and draws: test, or key of the comment where it is of no test; text.
+  std::vector<std::pair<std::string, std::string>> notes = {};
   std::vector<Warning> warnings = {};     ///< each names its test
   std::optional<double> confidence = {};  ///< P of the bands; nothing without draws
   /// Whether it was made with the joint.json, or the model.toml, that lies beside it.

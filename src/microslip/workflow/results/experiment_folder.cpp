@@ -39,7 +39,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPredictions = 8;
-constexpr const char* kIdentifiedFrom = "identified from";
 
 /// Comments of a table that a program wrote begin with its name and version.
 std::string made_by(std::string_view text) {
@@ -223,7 +222,8 @@ class FolderReader {
     }
     for (const auto& [name, value] : provenance.options) note_option(name, value);
     for (const InputHash& hash : provenance.inputs) {
-      results_.provenance.emplace_back(kIdentifiedFrom,
+      inputs_.emplace_back(results_.provenance.size(), hash.file);
+      results_.provenance.emplace_back("identified from",
                                        fmt::format("{} (SHA-256 {})", hash.file, hash.sha256));
     }
   }
@@ -342,7 +342,7 @@ class FolderReader {
   void check_model_of_comparison() {
     if (!comparison_ || hashes_in(*comparison_) == campaign_hashes_) return;
     for (const std::string name : {"joint.json", "model.toml"}) {
-      const std::optional<std::string> hash = told_hash_of(*comparison_, name);
+      const std::optional<std::string> hash = hash_of_input(*comparison_, name);
       const std::optional<std::string> beside = hash_beside(name);
       if (!hash || !beside || *hash == *beside) continue;
       results_.comparison->of_this_model = false;
@@ -391,15 +391,15 @@ class FolderReader {
 
   /// A campaign names all its tests among its inputs; sources begin with the file of theirs.
   void tell_what_is_predicted_alone() {
-    for (auto& [name, value] : results_.provenance) {
-      if (name != kIdentifiedFrom) continue;
-      const std::string_view file = std::string_view(value).substr(0, value.rfind(" (SHA-256 "));
-      const auto is_of = [file](const CampaignEntry& entry) {
+    for (const auto& [place, file] : inputs_) {
+      const auto is_of = [&file](const CampaignEntry& entry) {
         const std::string_view source = entry.source;
         return entry.use == "predict" && source.starts_with(file) &&
                (source.size() == file.size() || source[file.size()] == ':');
       };
-      if (std::ranges::any_of(results_.campaign->entries, is_of)) name = "predicted alone";
+      if (std::ranges::any_of(results_.campaign->entries, is_of)) {
+        results_.provenance[place].first = "predicted alone";
+      }
     }
   }
 
@@ -415,6 +415,8 @@ class FolderReader {
   ExperimentResults results_;
   std::vector<std::string> reduced_with_;     ///< hashes that levels.csv tells
   std::vector<std::string> identified_from_;  ///< SHA-256 of each input
+  /// Files of the inputs, each with the place of its fact in the provenance of the results.
+  std::vector<std::pair<std::size_t, std::string>> inputs_;
   std::optional<NamedInput> comparison_;
   std::vector<std::string> campaign_hashes_;  ///< of all that a campaign was made from
   bool takes_all_levels_ = false;

@@ -14,11 +14,6 @@
 #include "microslip/io/tables/csv.hpp"
 
 namespace microslip {
-namespace {
-
-constexpr std::string_view kHashMark = ": sha256 ";
-
-}  // namespace
 
 std::vector<ChannelMisfit> comparisons_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
@@ -63,14 +58,10 @@ std::vector<ForceControlLevel> force_control_of(const NamedInput& input) {
   return rows;
 }
 
-std::optional<std::string> told_hash_of(const NamedInput& input, std::string_view name) {
+std::optional<std::string> hash_of_input(const NamedInput& input, std::string_view name) {
   const CsvTable table(input.text, input.path);
-  for (const std::string& line : table.comments()) {
-    const std::size_t mark = line.rfind(kHashMark);
-    if (mark == std::string::npos) continue;
-    if (file_name(std::string_view(line).substr(0, mark)) == name) {
-      return line.substr(mark + kHashMark.size());
-    }
+  for (const InputHash& hash : hashes_in(table.comments())) {
+    if (file_name(hash.file) == name) return hash.sha256;
   }
   return std::nullopt;
 }
@@ -78,10 +69,7 @@ std::optional<std::string> told_hash_of(const NamedInput& input, std::string_vie
 std::vector<std::string> hashes_in(const NamedInput& input) {
   std::vector<std::string> hashes;
   const CsvTable table(input.text, input.path);
-  for (const std::string& line : table.comments()) {
-    const std::size_t mark = line.rfind(kHashMark);
-    if (mark != std::string::npos) hashes.push_back(line.substr(mark + kHashMark.size()));
-  }
+  for (const InputHash& hash : hashes_in(table.comments())) hashes.push_back(hash.sha256);
   return hashes;
 }
 

@@ -22,12 +22,12 @@ namespace microslip {
 /// @throws FormatError  where a column is missing.
 [[nodiscard]] std::vector<ForceControlLevel> force_control_of(const NamedInput& input);
 
-/// The hashes in lines `# FILE: sha256 HEX` at the head of a table. Empty where it has none.
+/// The SHA-256 of each input that the comments of a table name. Empty where they name none.
 [[nodiscard]] std::vector<std::string> hashes_in(const NamedInput& input);
 
-/// That of the file of a name, in whatever folder it was; nothing where the table does not tell it.
-[[nodiscard]] std::optional<std::string> told_hash_of(const NamedInput& input,
-                                                      std::string_view name);
+/// That of the file of a name, in whatever folder it was; nothing where the table does not name it.
+[[nodiscard]] std::optional<std::string> hash_of_input(const NamedInput& input,
+                                                       std::string_view name);
 
 /// Whether a table of a density is of that joint, by what it says at its points but those at steps.
 [[nodiscard]] bool is_density_of(const DensityTable& table, const Joint& joint);
