@@ -619,6 +619,8 @@ TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
        "D +1 ± 0.2 % per unit of torque_Nm"},
       {{.name = "order", .groups = {{.value = "rising", .tests = 2, .levels = 2}}}}};
   campaign.left_out = {{.left_out = "a",
+                        .part = "test",
+                        .test = "a",
                         .amplitude = 1e-5,
                         .measured = 1.1e-6,
                         .predicted = 1e-6,
@@ -705,6 +707,8 @@ ExperimentResults contradicted_results() {
       const bool wrong = campaign.entries.back().test == "friday";
       const bool beyond = wrong && amplitude > 1e-5;
       campaign.left_out.push_back({.left_out = test,
+                                   .part = "test",
+                                   .test = test,
                                    .amplitude = amplitude,
                                    .measured = wrong ? 1.2e-6 : 1e-6,
                                    .predicted = beyond ? std::nan("") : 1e-6,
@@ -761,6 +765,8 @@ TEST(ExperimentReport, LevelsThatContradictByChanceAreToldAlone) {
     campaign.entries = {{.test = "a", .use = "identify", .session = "1", .part = "level"}};
     for (std::size_t i = 1; i <= 20; ++i) {
       campaign.left_out.push_back({.left_out = "a: level " + std::to_string(i),
+                                   .part = "level",
+                                   .test = "a",
                                    .amplitude = 1e-6 * static_cast<double>(i),
                                    .measured = 1e-6,
                                    .predicted = 1e-6,

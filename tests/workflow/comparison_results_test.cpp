@@ -138,6 +138,28 @@ TEST(ComparisonResults, CampaignsAreReadByTheirColumns) {
                        "sessions.csv:2:3: expected a count");
 }
 
+// The test named like a mode is a test. Without the column the names decide: earlier versions.
+TEST(ComparisonResults, NameThePartsThatWereLeftOut) {
+  const std::string cells = "1e-5,1e-6,1e-6,,,inside,0,,no\n";
+  const auto entries = [&](const std::string& first, const std::vector<std::string>& names) {
+    std::string text = first +
+                       ",amplitude [m],measured [J],predicted [J],lower [J],upper [J],verdict,"
+                       "mean_deviation [1],chance [1],contradicts\n";
+    for (const std::string& name : names) text += name + "," + cells;
+    CampaignFound found;
+    add_left_out({"leave_one_out.csv", text}, found);
+    return found.left_out;
+  };
+  const auto now = entries("left_out,part,test", {"mode 1,test,mode 1", "a: level 2,level,a"});
+  EXPECT_EQ(now.at(0).part, "test");
+  EXPECT_EQ(now.at(1).part, "level");
+  EXPECT_EQ(now.at(1).test, "a");
+  const auto earlier = entries("left_out,test", {"mode 1,mode 1", "a: level 2,a", "mode 2,a"});
+  EXPECT_EQ(earlier.at(0).part, "test");
+  EXPECT_EQ(earlier.at(1).part, "level");
+  EXPECT_EQ(earlier.at(2).part, "mode");
+}
+
 TEST(ComparisonResults, CampaignsTellHowTestsRepeat) {
   CampaignFound found;
   add_sessions({"sessions.csv",

@@ -380,6 +380,20 @@ void check_enough(const TomlTable& top, const CampaignFile& campaign) {
 
 }  // namespace
 
+std::string_view name_of_part(LeaveOut what) {
+  switch (what) {
+    case LeaveOut::kTests:
+      return "test";
+    case LeaveOut::kLevels:
+      return "level";
+    case LeaveOut::kModes:
+      return "mode";
+    case LeaveOut::kNothing:
+      break;
+  }
+  return "";
+}
+
 std::string_view to_string(CampaignUse use) {
   switch (use) {
     case CampaignUse::kIdentify:

@@ -53,6 +53,9 @@ enum class LeaveOut {
   kModes,   ///< each mode, over all tests; of a model
 };
 
+/// What is left out at once: "test", "level" or "mode"; empty of nothing.
+[[nodiscard]] std::string_view name_of_part(LeaveOut what);
+
 /// Subject of a campaign.
 enum class CampaignSubject {
   kRig,    ///< a rig.toml: one joint, from its levels

@@ -249,16 +249,10 @@ ReportTable left_out_table_of(const CampaignFound& found) {
   return table;
 }
 
-/// Owner of the marks of a level: "s2m2" of "s2m2: level 3", else the whole name of what was left
-/// out.
-std::string owner_of(const std::string& left_out) {
-  return left_out.substr(0, left_out.find(": level "));
-}
-
-/// The marks of what was left out that one owner has, inside or outside of the band: one entry of
-/// the legend, and on paper outlines and full ones.
+/// The marks of what was left out that one owner, the test of a level, has inside or outside of the
+/// band: one entry of the legend, and on paper outlines and full ones.
 PointLayer& marks_of(const LeftOutEntry& row, std::vector<PointLayer>& layers) {
-  const std::string owner = owner_of(row.left_out);
+  const std::string& owner = row.part == "level" ? row.test : row.left_out;
   const bool outside = row.verdict == "outside";
   const std::string name = owner + (outside ? ", outside" : ", inside");
   const auto known = std::ranges::find(layers, name, &PointLayer::name);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "microslip/io/bytes/text.hpp"
 
@@ -13,30 +12,12 @@ namespace microslip {
 namespace {
 
 constexpr double kContradictByChance = 0.05;
-constexpr std::string_view kLevelOfTest = ": level ";
-
-/// "test", "mode" or "level", by the names; "part" where some are one mode of a test.
-std::string_view noun_of_parts(const std::vector<PartLeftOut>& parts, const CampaignFound& found) {
-  const auto all = [&](const auto& holds) {
-    return std::ranges::all_of(parts, holds, &PartLeftOut::name);
-  };
-  if (all([&](const std::string& name) {
-        return std::ranges::find(found.entries, name, &CampaignEntry::test) != found.entries.end();
-      })) {
-    return "test";
-  }
-  if (all([](const std::string& name) { return name.starts_with("mode "); })) return "mode";
-  if (all([](const std::string& name) { return name.find(kLevelOfTest) != std::string::npos; })) {
-    return "level";
-  }
-  return "part";
-}
 
 /// Number of contradicting parts, and of all that were judged.
 struct Contradictions {
   std::vector<PartLeftOut> parts;  ///< that contradict
   std::size_t judged = 0;          ///< with those that do not
-  std::string_view noun;           ///< what each is
+  std::string noun;                ///< what each is
 };
 
 Contradictions contradictions_in(const CampaignFound& found) {
@@ -47,7 +28,7 @@ Contradictions contradictions_in(const CampaignFound& found) {
     ++all.judged;
     if (part.contradicts) all.parts.push_back(part);
   }
-  all.noun = noun_of_parts(parts, found);
+  all.noun = parts.empty() ? "" : parts.front().part;
   return all;
 }
 
@@ -73,6 +54,7 @@ std::vector<PartLeftOut> parts_left_out(const CampaignFound& found) {
   for (const LeftOutEntry& entry : found.left_out) {
     if (parts.empty() || parts.back().name != entry.left_out) {
       parts.push_back({.name = entry.left_out,
+                       .part = entry.part,
                        .mean_deviation = entry.mean_deviation,
                        .chance = entry.chance,
                        .judged = entry.judged,

@@ -16,6 +16,7 @@ namespace microslip {
 /// Levels that were left out at once.
 struct PartLeftOut {
   std::string name = {};        ///< of the test, the mode or the level
+  std::string part = {};        ///< which of these it is
   std::size_t levels = 0;       ///< of it
   std::size_t compared = 0;     ///< those that the others predict
   std::size_t inside = 0;       ///< those in their band

@@ -16,6 +16,7 @@
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/workflow/campaign/campaign_columns.hpp"
 
 namespace microslip {
 namespace {
@@ -272,38 +273,17 @@ std::string repeatability_text(const SessionEffects& effects) {
 }
 
 std::string sessions_table(const DoneCampaign& done, const std::string& comment) {
-  const std::vector<SessionEffect>& sessions = done.sessions.sessions;
   CsvWriter table;
   table.add_comment(comment);
   add_repeatability(kWithinSessionsKey, done.sessions.within_sessions, table);
   add_repeatability(kBetweenSessionsKey, done.sessions.between_sessions, table);
-  std::vector<std::string> names;
-  for (const SessionEffect& session : sessions) names.push_back(session.name);
-  table.add_text("session", names);
-  const auto add = [&](const char* name, auto SessionEffect::*member) {
-    table.add_numbers_or_empty(name, kDimensionless, column(sessions, [&](const SessionEffect& s) {
-                                 return static_cast<double>(s.*member);
-                               }));
-  };
-  if (done.plan.of_model()) add("mode", &SessionEffect::mode);
-  add("tests", &SessionEffect::tests);
-  add("levels", &SessionEffect::levels);
-  add("frequency_difference", &SessionEffect::frequency_difference);
-  add("frequency_difference_std", &SessionEffect::frequency_difference_std);
-  add("frequency_offset", &SessionEffect::frequency_offset);
-  add("frequency_offset_std", &SessionEffect::frequency_offset_std);
-  add("frequency_scatter", &SessionEffect::frequency_scatter);
-  add("dissipation_offset", &SessionEffect::dissipation_offset);
-  add("dissipation_scatter", &SessionEffect::dissipation_scatter);
+  add_columns<SessionEffect>(session_columns(done.plan.of_model()), done.sessions.sessions, table);
   return table.str();
 }
 
 std::string conditions_table(const DoneCampaign& done, const std::string& comment) {
-  struct Row {
-    std::string name;
-    const ConditionGroup* group;
-  };
-  std::vector<Row> rows;
+  std::vector<std::string> names;
+  std::vector<ConditionGroup> groups;
   CsvWriter table;
   table.add_comment(comment);
   for (const ConditionEffect& effect : done.conditions) {
@@ -312,30 +292,13 @@ std::string conditions_table(const DoneCampaign& done, const std::string& commen
     if (!effect.common_modes) {
       table.add_comment(comment_entry(kCommonModesKey, printable(effect.name), "no"));
     }
-    for (const ConditionGroup& group : effect.groups) rows.push_back({effect.name, &group});
-  }
-  std::vector<std::string> names;
-  std::vector<std::string> values;
-  for (const Row& row : rows) {
-    names.push_back(row.name);
-    values.push_back(row.group->value);
+    for (const ConditionGroup& group : effect.groups) {
+      names.push_back(effect.name);
+      groups.push_back(group);
+    }
   }
   table.add_text("condition", names);
-  table.add_text("value", values);
-  const auto add = [&](const char* name, const Dimension& dimension, const auto& value) {
-    table.add_numbers_or_empty(name, dimension, column(rows, value));
-  };
-  add("tests", kDimensionless, [](const Row& row) { return double(row.group->tests); });
-  add("levels", kDimensionless, [](const Row& row) { return double(row.group->levels); });
-  add("least_amplitude", kLength, [](const Row& row) { return row.group->least; });
-  add("largest_amplitude", kLength, [](const Row& row) { return row.group->largest; });
-  add("dissipation_offset", kDimensionless,
-      [](const Row& row) { return row.group->dissipation.mean; });
-  add("dissipation_offset_std", kDimensionless,
-      [](const Row& row) { return row.group->dissipation.sigma; });
-  add("frequency_offset", kDimensionless, [](const Row& row) { return row.group->frequency.mean; });
-  add("frequency_offset_std", kDimensionless,
-      [](const Row& row) { return row.group->frequency.sigma; });
+  add_columns<ConditionGroup>(condition_columns(), groups, table);
   return table.str();
 }
 
@@ -359,6 +322,7 @@ std::string left_out_table(const DoneCampaign& done, const std::string& comment)
   CsvWriter table;
   table.add_comment(comment);
   table.add_text("left_out", names);
+  table.add_text("part", std::vector(rows.size(), std::string(name_of_part(done.plan.leave_out))));
   add_test_columns(done.plan, tests, table);
   table.add_text("source", sources);
   if (done.plan.of_model()) table.add_numbers("mode", kDimensionless, modes);

@@ -15,6 +15,7 @@
 #include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/io/cells/warning_comment.hpp"
 #include "microslip/io/tables/csv.hpp"
+#include "microslip/workflow/campaign/campaign_columns.hpp"
 #include "microslip/workflow/campaign/campaign_conditions.hpp"
 #include "microslip/workflow/campaign/campaign_leave_out.hpp"
 #include "microslip/workflow/campaign/campaign_tables.hpp"
@@ -98,23 +99,17 @@ void put_numbers(const CsvTable& table, const std::string& name, std::vector<Ent
   for (std::size_t row = 0; row < entries.size(); ++row) entries[row].*member = values[row];
 }
 
-template <typename Entry>
-void put_counts(const CsvTable& table, const std::string& name, std::vector<Entry>& entries,
-                std::size_t Entry::*member) {
-  constexpr double kMost = 1e9;
-  const std::vector<double> values = table.numbers(name, kDimensionless);
-  for (std::size_t row = 0; row < entries.size(); ++row) {
-    if (!(values[row] >= 0.0 && values[row] <= kMost)) table.reject(row, name, "a count");
-    entries[row].*member = static_cast<std::size_t>(values[row]);
+/// Takes what each part that was left out is: by the names where a table of earlier versions has no
+/// such column.
+void put_parts(const CsvTable& table, std::vector<LeftOutEntry>& entries) {
+  if (table.has("part")) {
+    put_text(table, "part", entries,
+             [](LeftOutEntry& entry, const std::string& cell) { entry.part = cell; });
+    return;
   }
-}
-
-void put_means(const CsvTable& table, const std::string& name, std::vector<ConditionGroup>& groups,
-               ConditionMean ConditionGroup::*member) {
-  const std::vector<double> means = numbers_or_empty(table, name);
-  const std::vector<double> sigmas = numbers_or_empty(table, name + "_std");
-  for (std::size_t row = 0; row < groups.size(); ++row) {
-    groups[row].*member = {means[row], sigmas[row]};
+  for (LeftOutEntry& entry : entries) {
+    const bool of_level = entry.left_out.starts_with(entry.test + ": level ");
+    entry.part = entry.left_out == entry.test ? "test" : of_level ? "level" : "mode";
   }
 }
 
@@ -176,21 +171,7 @@ void add_campaign_table(const NamedInput& input, CampaignFound& found) {
 
 void add_sessions(const NamedInput& input, CampaignFound& found) {
   const CsvTable table(input.text, input.path);
-  std::vector<SessionEffect> sessions(table.rows());
-  put_text(table, "session", sessions,
-           [](SessionEffect& session, const std::string& cell) { session.name = cell; });
-  if (table.has("mode")) put_counts(table, "mode", sessions, &SessionEffect::mode);
-  put_counts(table, "tests", sessions, &SessionEffect::tests);
-  put_counts(table, "levels", sessions, &SessionEffect::levels);
-  put_numbers(table, "frequency_difference", sessions, &SessionEffect::frequency_difference);
-  put_numbers(table, "frequency_difference_std", sessions,
-              &SessionEffect::frequency_difference_std);
-  put_numbers(table, "frequency_offset", sessions, &SessionEffect::frequency_offset);
-  put_numbers(table, "frequency_offset_std", sessions, &SessionEffect::frequency_offset_std);
-  put_numbers(table, "frequency_scatter", sessions, &SessionEffect::frequency_scatter);
-  put_numbers(table, "dissipation_offset", sessions, &SessionEffect::dissipation_offset);
-  put_numbers(table, "dissipation_scatter", sessions, &SessionEffect::dissipation_scatter);
-  found.sessions = std::move(sessions);
+  found.sessions = read_columns(session_columns(table.has("mode")), table);
   SessionEffects effects;
   effects.within_sessions = find_number_entry(table.comments(), kWithinSessionsKey);
   effects.between_sessions = find_number_entry(table.comments(), kBetweenSessionsKey);
@@ -199,15 +180,7 @@ void add_sessions(const NamedInput& input, CampaignFound& found) {
 
 void add_conditions(const NamedInput& input, CampaignFound& found) {
   const CsvTable table(input.text, input.path);
-  std::vector<ConditionGroup> groups(table.rows());
-  put_text(table, "value", groups,
-           [](ConditionGroup& group, const std::string& cell) { group.value = cell; });
-  put_counts(table, "tests", groups, &ConditionGroup::tests);
-  put_counts(table, "levels", groups, &ConditionGroup::levels);
-  put_numbers(table, "least_amplitude", groups, &ConditionGroup::least);
-  put_numbers(table, "largest_amplitude", groups, &ConditionGroup::largest);
-  put_means(table, "dissipation_offset", groups, &ConditionGroup::dissipation);
-  put_means(table, "frequency_offset", groups, &ConditionGroup::frequency);
+  std::vector<ConditionGroup> groups = read_columns(condition_columns(), table);
   const std::vector<std::string> names = table.text("condition");
   for (std::size_t row = 0; row < names.size(); ++row) {
     if (found.conditions.empty() || found.conditions.back().effect.name != names[row]) {
@@ -230,6 +203,9 @@ void add_left_out(const NamedInput& input, CampaignFound& found) {
   std::vector<LeftOutEntry> entries(table.rows());
   put_text(table, "left_out", entries,
            [](LeftOutEntry& entry, const std::string& cell) { entry.left_out = cell; });
+  put_text(table, "test", entries,
+           [](LeftOutEntry& entry, const std::string& cell) { entry.test = cell; });
+  put_parts(table, entries);
   put_text(table, "verdict", entries,
            [](LeftOutEntry& entry, const std::string& cell) { entry.verdict = cell; });
   put_text(table, "contradicts", entries,

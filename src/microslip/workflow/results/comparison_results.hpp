@@ -48,7 +48,9 @@ struct CampaignEntry {
 
 /// A row of leave_one_out.csv. NaN where there is no value.
 struct LeftOutEntry {
-  std::string left_out = {};    ///< what was: a test, or a level
+  std::string left_out = {};    ///< the name of what was
+  std::string part = {};        ///< what that is: "test", "level" or "mode"
+  std::string test = {};        ///< of the level
   double amplitude = 0.0;       ///< m
   double measured = 0.0;        ///< J
   double predicted = 0.0;       ///< J
