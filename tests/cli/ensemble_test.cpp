@@ -50,7 +50,7 @@ TEST(Ensemble, TellsPeaksAndHowFast) {
   const std::string table = box.get("r.csv");
   for (const char* part : {"# microslip ", "microslip ensemble plan.toml --out r.h5",
                            "# predict of seed 1, 95 % between lower and upper",
-                           "# sha256 of model.toml = ", "# uncertain: frequency_std",
+                           "# sha256[model.toml] = ", "# uncertain: frequency_std",
                            "# 0.05 N: 400 jobs, 0 failed", "group,output,unit,axis,at,count,mean",
                            "0.05 N,peak_frequency,Hz,peak_of_model [Hz],0.1"}) {
     EXPECT_NE(table.find(part), std::string::npos) << part;

@@ -32,20 +32,26 @@ namespace {
 constexpr double kSecondsBetweenSyncs = 10.0;
 
 /// The inputs of the jobs, one per line.
+/// The inputs of the jobs, by paths relative to the plan: the working directory does not matter.
+std::vector<InputHash> inputs_of(const EnsemblePlan& plan, const EnsembleJobs& jobs) {
+  const std::string folder = plan.file.substr(0, plan.file.rfind('/') + 1);
+  std::vector<InputHash> inputs = jobs.inputs();
+  for (InputHash& input : inputs) {
+    if (input.file.starts_with(folder)) input.file.erase(0, folder.size());
+  }
+  return inputs;
+}
+
 std::vector<std::string> fingerprint_of(const EnsemblePlan& plan, const EnsembleJobs& jobs,
-                                        std::uint64_t block) {
+                                        const std::vector<InputHash>& inputs, std::uint64_t block) {
   std::vector<std::string> lines{fmt::format("version = {}", kVersion)};
   lines.insert(lines.end(), plan.settings.begin(), plan.settings.end());
   lines.push_back(fmt::format("jobs of a block = {}", block));
   for (const EnsembleGroup& group : jobs.groups()) {
     lines.push_back(fmt::format("values of {} = {}", group.name, group.width()));
   }
-  // Paths relative to the plan: the working directory does not matter.
-  const std::string folder = plan.file.substr(0, plan.file.rfind('/') + 1);
-  for (const InputHash& input : jobs.inputs()) {
-    const bool beside = input.file.starts_with(folder);
-    lines.push_back(fmt::format(
-        "sha256 of {} = {}", beside ? input.file.substr(folder.size()) : input.file, input.sha256));
+  for (const InputHash& input : inputs) {
+    lines.push_back(fmt::format("sha256 of {} = {}", input.file, input.sha256));
   }
   return lines;
 }
@@ -54,6 +60,7 @@ std::vector<std::string> fingerprint_of(const EnsemblePlan& plan, const Ensemble
 struct Prepared {
   EnsemblePlan plan;
   std::unique_ptr<const EnsembleJobs> jobs;
+  std::vector<InputHash> inputs;
   std::vector<std::string> fingerprint;
   std::optional<BlockLayout> layout;
 
@@ -91,7 +98,8 @@ Prepared prepare(const std::string& path) {
   const std::uint64_t block = prepared.plan.block.value_or(usual_block(prepared.jobs->groups()));
   check_block(prepared.plan, *prepared.jobs, block);
   prepared.layout.emplace(prepared.jobs->groups(), block);
-  prepared.fingerprint = fingerprint_of(prepared.plan, *prepared.jobs, block);
+  prepared.inputs = inputs_of(prepared.plan, *prepared.jobs);
+  prepared.fingerprint = fingerprint_of(prepared.plan, *prepared.jobs, prepared.inputs, block);
   return prepared;
 }
 
@@ -292,7 +300,9 @@ class Coordinator {
               .confidence = prepared_.plan.confidence,
               .plan = prepared_.plan.text,
               .fingerprint = prepared_.fingerprint,
+              .inputs = prepared_.inputs,
               .notes = prepared_.jobs->notes(),
+              .warnings = {},
               .raw = prepared_.plan.raw,
               .groups = {}};
     if (prepared_.plan.kind == "sweep" && result.raw.empty()) result.raw = {"*"};
@@ -303,12 +313,10 @@ class Coordinator {
     done_.warnings = prepared_.jobs->warnings();
     std::ranges::move(ensemble_warnings(result), std::back_inserter(done_.warnings));
     std::ranges::move(grid_warnings(result, rows), std::back_inserter(done_.warnings));
-    for (const Warning& warning : done_.warnings) {
-      result.notes.push_back(fmt::format("warning: {}: {}", warning.code, warning.text));
-    }
+    result.warnings = done_.warnings;
     OutputFiles outputs;
     add_ensemble_result(result, rows, run_.out, outputs);
-    add_ensemble_table(result, rows, run_.command, done_.warnings, run_.table, outputs);
+    add_ensemble_table(result, rows, run_.command, run_.table, outputs);
     outputs.commit();
     if (run_.keep_journals) return;
     for (const std::string& path : found.paths()) remove_journal(path);

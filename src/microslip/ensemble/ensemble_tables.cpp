@@ -148,19 +148,16 @@ std::string failures_comment(const GroupResult& group) {
   return text;
 }
 
-std::string comment_of(const EnsembleResult& result, const std::string& command,
-                       const std::vector<Warning>& warnings) {
+std::string comment_of(const EnsembleResult& result, const std::string& command) {
   std::string text =
       heading_of(command) + fmt::format("\n{} of seed {}, {} % between lower and upper",
                                         result.kind, result.seed, 100.0 * result.confidence);
-  for (const std::string& one : result.fingerprint) {
-    if (one.starts_with("sha256")) text += "\n" + one;
+  for (const InputHash& input : result.inputs) {
+    text += '\n' + hash_comment(input.file, input.sha256);
   }
-  for (const std::string& note : result.notes) {
-    if (!note.starts_with("warning: ")) text += "\n" + note;  // those follow
-  }
+  for (const std::string& note : result.notes) text += "\n" + note;
   for (const GroupResult& group : result.groups) text += failures_comment(group);
-  return with_warnings(text, warnings);
+  return with_warnings(text, result.warnings);
 }
 
 TextTable statistics_table(const EnsembleResult& result) {
@@ -207,9 +204,8 @@ void write_table(const EnsembleResult& result,
 
 void add_ensemble_table(const EnsembleResult& result,
                         const std::function<RowPass(std::size_t group)>& rows_of,
-                        const std::string& command, const std::vector<Warning>& warnings,
-                        const std::string& path, OutputFiles& outputs) {
-  const std::string comment = comment_of(result, command, warnings);
+                        const std::string& command, const std::string& path, OutputFiles& outputs) {
+  const std::string comment = comment_of(result, command);
   if (path == "-") {
     std::string text;
     write_table(result, rows_of, comment, [&](std::string_view piece) { text += piece; });

@@ -19,14 +19,12 @@ namespace microslip {
 /// @param result    to be written.
 /// @param rows_of   of the jobs of a group.
 /// @param command   that the file is made by.
-/// @param warnings  of the result.
 /// @param path      of the table; "-" is standard output.
 /// @param outputs   that it is added to.
 /// @throws FileError  as OutputFiles.
 void add_ensemble_table(const EnsembleResult& result,
                         const std::function<RowPass(std::size_t group)>& rows_of,
-                        const std::string& command, const std::vector<Warning>& warnings,
-                        const std::string& path, OutputFiles& outputs);
+                        const std::string& command, const std::string& path, OutputFiles& outputs);
 
 /// Warnings of a result: jobs that failed, values that few jobs have, quantiles beyond which no job
 /// lies.

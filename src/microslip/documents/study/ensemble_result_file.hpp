@@ -8,15 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/documents/study/ensemble_plan_file.hpp"
+#include "microslip/io/config/named_values.hpp"
 #include "microslip/io/output/output_files.hpp"
 
 /// @file
 /// The result of an ensemble as HDF5, schema microslip.ensemble_result/1. Attributes of the file:
 /// schema, version, kind, seed, confidence, plan (its text), fingerprint (what the jobs follow
-/// from, a line each), notes. Each group of jobs is a group of the file, named as it, with the
-/// attributes jobs, failed and reasons (a line each), and for each output
+/// from, a line each), notes (warnings among them). Each group of jobs is a group of the file,
+/// named as it, with the attributes jobs, failed and reasons (a line each), and for each output
 ///
 ///     OUTPUT         values × 8: count, mean, std, minimum, lower, median, upper, maximum;
 ///                    unit_str
@@ -95,7 +97,9 @@ struct EnsembleResult {
   double confidence = 0.0;               ///< between lower and upper
   std::string plan;                      ///< its text
   std::vector<std::string> fingerprint;  ///< settings that determine the jobs
+  std::vector<InputHash> inputs;         ///< files read, relative to the plan where beside it
   std::vector<std::string> notes;        ///< assumptions
+  std::vector<Warning> warnings;         ///< of the result
   std::vector<std::string> raw;          ///< outputs whose values are kept; "*": all
   std::vector<GroupResult> groups;       ///< in the order of the plan
 

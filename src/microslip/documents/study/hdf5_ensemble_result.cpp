@@ -14,6 +14,7 @@
 #include "microslip/io/hdf5/hdf5_handle.hpp"
 #include "microslip/io/hdf5/hdf5_writing.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
+#include "microslip/io/output/provenance.hpp"
 
 namespace microslip {
 namespace {
@@ -99,6 +100,13 @@ class ValuesWriter {
   std::vector<double> values_;
 };
 
+/// Assumptions and warnings, a line each.
+std::string notes_of(const EnsembleResult& result) {
+  const std::string notes = lines_of(result.notes);
+  const std::string warnings = warning_lines(result.warnings);
+  return notes.empty() || warnings.empty() ? notes + warnings : notes + '\n' + warnings;
+}
+
 class ResultWriter {
  public:
   ResultWriter(const EnsembleResult& result,
@@ -112,7 +120,7 @@ class ResultWriter {
     write_hdf5_text(file, "seed", fmt::format("{}", result_.seed), path_);
     write_hdf5_number(file, "confidence", result_.confidence, path_);
     write_hdf5_text(file, "fingerprint", lines_of(result_.fingerprint), path_);
-    write_hdf5_text(file, "notes", lines_of(result_.notes), path_);
+    write_hdf5_text(file, "notes", notes_of(result_), path_);
     write_hdf5_text(file, "plan", result_.plan, path_);
     for (std::size_t g = 0; g < result_.groups.size(); ++g) write_group(file, g);
   }
