@@ -29,9 +29,9 @@ namespace microslip {
 
 /// The parts of such a comment.
 struct CommentEntry {
-  std::string key;
+  std::string key;      ///< lower-case letters, digits and `_`
   std::string subject;  ///< empty where there is none
-  std::string value;
+  std::string value;    ///< the rest of the line
 };
 
 /// Returns the parts of an entry of any key, nothing of another comment. The subject ends at the

@@ -25,6 +25,7 @@ template <typename Row>
 struct RowColumn {
   std::string_view name;  ///< without unit
   Dimension dimension;    ///< of its values, in SI
+  /// What it holds: a text, a count, a number, or a mean with its standard deviation.
   std::variant<std::string Row::*, std::size_t Row::*, double Row::*, ConditionMean Row::*> member;
 };
 

@@ -64,15 +64,21 @@ struct IdentifiedLevels {
                                          const std::vector<NamedInput>& inputs,
                                          std::string_view command);
 
-/// The text of joint.json; the rest as of identified_joint().
-/// @param input  the levels.
+/// The text of joint.json.
+/// @param options  that it was found with.
+/// @param found    with its warnings.
+/// @param input    the levels.
+/// @param command  that the file is made by.
 [[nodiscard]] std::string joint_text(const LevelsIdentification& options,
                                      const Identification& found, const NamedInput& input,
                                      std::string_view command);
 
-/// The bytes of joint_samples.h5; the rest as of joint_text().
-/// @param found  with its draws.
-/// @param path   of the file.
+/// The bytes of joint_samples.h5.
+/// @param options  that it was found with.
+/// @param found    with its draws.
+/// @param input    the levels.
+/// @param command  that the file is made by.
+/// @param path     of the file.
 /// @throws InputError  as joint_samples(). @throws FileError  as joint_samples_bytes().
 [[nodiscard]] std::string samples_bytes(const LevelsIdentification& options,
                                         const Identification& found, const NamedInput& input,
