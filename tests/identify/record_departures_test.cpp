@@ -89,9 +89,9 @@ std::vector<double> bouc_wen(const std::vector<double>& path, double beta, doubl
   });
 }
 
-/// Masing's branches drawn half way to their chords: the same virgin curve with half of the loss, as
-/// sands show [Phillips & Hashash, Soil Dyn. Earthq. Eng. 29 (2009) 1143]. Growing sines alone: a
-/// branch starts from the virgin curve and ends there.
+/// Masing's branches drawn half way to their chords: the same virgin curve with half of the loss,
+/// as sands show [Phillips & Hashash, Soil Dyn. Earthq. Eng. 29 (2009) 1143]. Growing sines alone:
+/// a branch starts from the virgin curve and ends there.
 std::vector<double> half_the_loss(const std::vector<double>& path) {
   const auto virgin = [](double h) {
     Sliders joint(0.6);
@@ -210,8 +210,8 @@ TEST(RecordDepartures, AChangingLoadIsADrift) {
       "");
 }
 
-// A virgin joint whose force drifts was taken for one that had slipped: offsets of its own state hid
-// the drift.
+// A virgin joint whose force drifts was taken for one that had slipped: offsets of its own state
+// hid the drift.
 TEST(RecordDepartures, ADriftIsNoUnknownState) {
   const std::vector<double> growing = path_of(Motion::kGrowing);
   Sliders joint(0.6);

@@ -73,8 +73,8 @@ std::string known_name(const std::string& name) {
   return name;
 }
 
-/// The names in the table of a sweep as a logger writes it: in any spelling, below other lines, with
-/// units on a line of their own, between blanks.
+/// The names in the table of a sweep as a logger writes it: in any spelling, below other lines,
+/// with units on a line of their own, between blanks.
 std::vector<std::string> known_names(std::string_view head) {
   std::vector<std::string> names;
   for (const CsvColumn& column : recording_columns(head)) {

@@ -12,8 +12,8 @@
 /// Tables of stepped-sine sweeps.
 ///
 ///   * CSV: `frequency [Hz], force [N], acceleration [m/s^2], phase [rad]`, one row per step,
-///     one sweep per file; or as a test system writes it, read as a recording is (recording_csv.hpp)
-///     by names of frequency, force, acceleration and phase in any spelling.
+///     one sweep per file; or as a test system writes it, read as a recording is
+///     (recording_csv.hpp) by names of frequency, force, acceleration and phase in any spelling.
 ///   * `FILE.mat:VARIABLE`: a struct with the fields `frequency`, `force`, `acceleration` or
 ///     `amplitude`, and `phase`, vectors of one length; a struct array has one sweep per element.
 ///     They are in Hz, N, m/s² and rad, or in the units of a field `units`, in this order: "Hz, N,

@@ -342,7 +342,8 @@ std::vector<Departure> AnyJoint::departures() const {
   return all;
 }
 
-// Errors of D and A act as one of D: with A → cA the density is another, and D is c² times as large.
+// Errors of D and A act as one of D: with A → cA the density is another, and D is c² times as
+// large.
 void AnyJoint::correct_common_errors() {
   const CommonErrors& errors = evidence_.common_errors();
   const Eigen::VectorXd measured = d_;

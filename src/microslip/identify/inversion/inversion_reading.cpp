@@ -178,8 +178,8 @@ Eigen::VectorXd weighted_loss(const InversionModel& model, const ScaledLevels& l
 }
 
 /// What few levels leave open: D between levels, all high, or low in every other gap, and k_eq at
-/// both ends of their range, high or low. Gaps deviate by themselves: the rise of −2 ln p is that of
-/// one, times half of their number.
+/// both ends of their range, high or low. Gaps deviate by themselves: the rise of −2 ln p is that
+/// of one, times half of their number.
 void set_goals(const InversionModel& model, const ScaledLevels& levels,
                DensityPosterior& posterior) {
   const std::vector<double>& knots = posterior.slip_force;

@@ -9,8 +9,8 @@
 #include "microslip/identify/records/record_settling.hpp"
 
 /// @file
-/// How much of the force of a record is left beside a joint and a departure from it. Internal: Eigen
-/// stays out of the installed headers.
+/// How much of the force of a record is left beside a joint and a departure from it. Internal:
+/// Eigen stays out of the installed headers.
 
 namespace microslip {
 

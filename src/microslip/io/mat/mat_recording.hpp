@@ -36,7 +36,8 @@
 ///   `start`; those at the top of the file hold inside as well.
 /// A vector is a channel; so is each column of a matrix (of a row where that is the longer side),
 /// with the names in the cell `names`, `channel_names` or `labels`; so is a struct with `values` or
-/// `data`, `name` and `unit`, or `Data`, `Name` and `Unit` (dSPACE). Other structs are looked into, each element of an array by itself.
+/// `data`, `name` and `unit`, or `Data`, `Name` and `Unit` (dSPACE). Other structs are looked into,
+/// each element of an array by itself.
 /// `units` (`unit`, `unit_str`) has a text for all channels; a cell, or a list between commas or
 /// semicolons, of one for each array of its struct, one for each channel (behind that of the axis
 /// or without it), one for the axis and one for all channels, or one for each quantity that the

@@ -54,8 +54,8 @@ void read_nodes_2411(UffEnvelope& envelope, double length_unit, MeshFile& mesh) 
   }
 }
 
-/// Groups with nodes among their entities, as sets: number and seven others, the last of which is the
-/// number of entities; the name; two entities a line, each of a type, a number and two others.
+/// Groups with nodes among their entities, as sets: number and seven others, the last of which is
+/// the number of entities; the name; two entities a line, each of a type, a number and two others.
 void read_groups(UffEnvelope& envelope, MeshFile& mesh) {
   constexpr int kOthers = 6;
   constexpr std::int64_t kNode = 7;

@@ -10,9 +10,10 @@
 #include "microslip/signal/recording/recording.hpp"
 
 /// @file
-/// Units that a file may mean otherwise than it writes them. Accelerations that are labelled g beside the factor 1/9.80665. Some analysers store m/s² and
-/// write label and factor for those who want to show g; others store g. Nothing in the file tells
-/// which, and the wrong guess is off by a factor of ten: the user is asked.
+/// Units that a file may mean otherwise than it writes them. Accelerations that are labelled g
+/// beside the factor 1/9.80665. Some analysers store m/s² and write label and factor for those who
+/// want to show g; others store g. Nothing in the file tells which, and the wrong guess is off by a
+/// factor of ten: the user is asked.
 
 namespace microslip {
 

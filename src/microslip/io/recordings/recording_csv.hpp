@@ -30,12 +30,12 @@
 /// The axis is a column with a unit of time or frequency, or called time, t, frequency or freq (in
 /// capitals or not), the first of those that fit best (axis_rank.hpp); one without unit is refused
 /// unless its unit is assumed. Its values rise. It is even where equal steps explain them to the
-/// digits printed (even_axis.hpp). A frequency that rises in the first rows, the only one in Hz, is the
-/// axis before a column in a unit of time that is not called a time, with a warning. A column called
-/// time without a known unit whose cells are text is no axis. Where there is no such column, a comment may give the rate:
-/// `# sampling_rate: 8192 Hz`, or = for the colon, or `fs`, `sampling rate`, `sample rate`,
-/// `sampling frequency` for the name, in capitals or not; without unit it is in Hz. The first point
-/// then lies at 0.
+/// digits printed (even_axis.hpp). A frequency that rises in the first rows, the only one in Hz, is
+/// the axis before a column in a unit of time that is not called a time, with a warning. A column
+/// called time without a known unit whose cells are text is no axis. Where there is no such column,
+/// a comment may give the rate: `# sampling_rate: 8192 Hz`, or = for the colon, or `fs`, `sampling
+/// rate`, `sample rate`, `sampling frequency` for the name, in capitals or not; without unit it is
+/// in Hz. The first point then lies at 0.
 ///
 /// A comment `name: value` or `name = value` is an attribute, of a channel where it reads
 /// `channel / name: value`; others are attributes of the name "comment". Two neighbouring columns
