@@ -150,10 +150,10 @@ TEST(LevelVerdicts, NameALoadThatChanges) {
       ASSERT_TRUE(secant->broken) << given;
       EXPECT_TRUE(warned(found, "secant_contradicts"));
       expect_agreement(found);
-      EXPECT_NEAR(secant->test->size, -0.2, 0.06) << given;
+      EXPECT_NEAR(secant->misfit->size, -0.2, 0.06) << given;
       const bool step = load == stepped;
-      EXPECT_EQ(secant->test->cause, step ? LevelCause::kStep : LevelCause::kTrend) << given;
-      if (step) EXPECT_NEAR(secant->test->at, levels.amplitude[6], 1e-9);
+      EXPECT_EQ(secant->misfit->cause, step ? LevelCause::kStep : LevelCause::kTrend) << given;
+      if (step) EXPECT_NEAR(secant->misfit->at, levels.amplitude[6], 1e-9);
     }
     const Identification good =
         identify(LevelEvidence(under_loads(joint, std::vector<double>(12, 1.0), given)),
@@ -174,8 +174,8 @@ TEST(LevelVerdicts, NameLinearDamping) {
   const Identification found = identify(LevelEvidence(levels), testing::kStiffness);
   const LevelDepartureVerdict* secant = verdict_of(found, LevelDeparture::kSecant);
   ASSERT_TRUE(secant->broken);
-  EXPECT_EQ(secant->test->cause, LevelCause::kLinearDamping);
-  EXPECT_NEAR(secant->test->size, 0.3 / 1.3, 0.05);
+  EXPECT_EQ(secant->misfit->cause, LevelCause::kLinearDamping);
+  EXPECT_NEAR(secant->misfit->size, 0.3 / 1.3, 0.05);
   IdentificationOptions fitted;
   fitted.inversion.linear_damping = true;
   const Identification mended = identify(LevelEvidence(levels), testing::kStiffness, fitted);

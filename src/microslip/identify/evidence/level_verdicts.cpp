@@ -117,22 +117,22 @@ LevelDepartureVerdict order_of(const Directions& of, const std::vector<double>& 
   return verdict;
 }
 
-LevelDepartureVerdict verdict_of(LevelDeparture departure, const MasingTest& test,
+LevelDepartureVerdict verdict_of(LevelDeparture departure, const MasingMisfit& misfit,
                                  std::string_view quantity) {
   return {.departure = departure,
-          .share = test.share,
-          .noise = test.noise,
-          .broken = test.failed(),
+          .share = misfit.share,
+          .noise = misfit.noise,
+          .broken = misfit.failed(),
           .quantity = quantity,
-          .test = test};
+          .misfit = misfit};
 }
 
 /// Nothing where σ would hide any departure.
 std::optional<LevelDepartureVerdict> judge_secant(const LevelEvidence& levels, double stiffness,
                                                   bool linear_damping) {
-  const std::optional<MasingTest> test = test_secant(levels, stiffness, linear_damping);
-  if (!test || (!test->failed() && test->noise > kHidden)) return std::nullopt;
-  return verdict_of(LevelDeparture::kSecant, *test, "k_eq");
+  const std::optional<MasingMisfit> misfit = secant_misfit(levels, stiffness, linear_damping);
+  if (!misfit || (!misfit->failed() && misfit->noise > kHidden)) return std::nullopt;
+  return verdict_of(LevelDeparture::kSecant, *misfit, "k_eq");
 }
 
 /// The worst of a rise, a fall and a step: by how much each exceeds its limit.
@@ -141,9 +141,9 @@ LevelDepartureVerdict judge_frequency(const LevelEvidence& levels, double stiffn
   const auto excess = [](const FrequencyChange& change) { return change.beyond / change.limit; };
   const FrequencyChange& worst =
       excess(evidence.rise) > excess(evidence.fall) ? evidence.rise : evidence.fall;
-  const std::optional<MasingTest> test = test_frequency(levels, stiffness, linear_damping);
-  if (test && test->failed() && !evidence.rise.significant && !evidence.fall.significant) {
-    return verdict_of(LevelDeparture::kFrequency, *test, "frequency");
+  const std::optional<MasingMisfit> misfit = frequency_misfit(levels, stiffness, linear_damping);
+  if (misfit && misfit->failed() && !evidence.rise.significant && !evidence.fall.significant) {
+    return verdict_of(LevelDeparture::kFrequency, *misfit, "frequency");
   }
   return {.departure = LevelDeparture::kFrequency,
           .share = worst.beyond,
@@ -179,7 +179,7 @@ Warning warning_of(const LevelDepartureVerdict& verdict) {
           fmt::format("not one Masing joint under constant normal load: the best joint misses {} "
                       "with D by {} (rms), where noise gives {} at most, {}. {}",
                       name, percent_text(verdict.share), percent_text(verdict.noise),
-                      cause_text(*verdict.test, name), remedy_of(verdict.test->cause))};
+                      cause_text(*verdict.misfit, name), remedy_of(verdict.misfit->cause))};
 }
 
 }  // namespace
@@ -252,7 +252,7 @@ std::vector<Warning> diagnose(const std::vector<LevelDepartureVerdict>& verdicts
   std::vector<Warning> warnings;
   for (const LevelDepartureVerdict& verdict : verdicts) {
     if (!verdict.broken) continue;
-    if (verdict.test) warnings.push_back(warning_of(verdict));
+    if (verdict.misfit) warnings.push_back(warning_of(verdict));
     if (verdict.departure != LevelDeparture::kOrder) continue;
     warnings.push_back(
         {std::string(to_string(verdict.departure)),

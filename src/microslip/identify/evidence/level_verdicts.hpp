@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/base/summary.hpp"
-#include "microslip/identify/evidence/masing_test.hpp"
+#include "microslip/identify/evidence/masing_misfit.hpp"
 #include "microslip/identify/evidence/stiffness_evidence.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/observe/level_evidence.hpp"
@@ -39,11 +39,11 @@ inline constexpr std::array kLevelDepartures = {LevelDeparture::kOrder, LevelDep
 /// Verdict on one departure in levels that can show it.
 struct LevelDepartureVerdict {
   LevelDeparture departure = LevelDeparture::kOrder;  ///< that was tested
-  double share = 0.0;                   ///< relative: of D, of k_eq, of the frequency, 1
-  double noise = 0.0;                   ///< the most that noise alone gives, 1
-  bool broken = false;                  ///< whether it was detected: share > noise
-  std::string_view quantity;            ///< where it is largest: "D", "k_eq", "frequency"
-  std::optional<MasingTest> test = {};  ///< behind kSecant, and kFrequency where that steps
+  double share = 0.0;                       ///< relative: of D, of k_eq, of the frequency, 1
+  double noise = 0.0;                       ///< the most that noise alone gives, 1
+  bool broken = false;                      ///< whether it was detected: share > noise
+  std::string_view quantity;                ///< where it is largest: "D", "k_eq", "frequency"
+  std::optional<MasingMisfit> misfit = {};  ///< behind kSecant, and kFrequency where that steps
 };
 
 /// Compares rising with falling levels, where at least four of each lie in the range of both. A
@@ -58,8 +58,8 @@ struct LevelDepartureVerdict {
                                                                const Joint& joint,
                                                                double linear_damping = 0.0);
 
-/// All verdicts that the levels permit: kSecant by test_secant(), where noise does not hide every
-/// departure; kFrequency by `evidence`, and by test_frequency().
+/// All verdicts that the levels permit: kSecant by secant_misfit(), where noise does not hide every
+/// departure; kFrequency by `evidence`, and by frequency_misfit().
 /// @param levels          with their errors.
 /// @param joint           identified from them.
 /// @param linear_damping  β of it, J/m², where D may contain it.

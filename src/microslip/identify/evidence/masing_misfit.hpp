@@ -35,7 +35,7 @@ enum class LevelCause {
 #pragma GCC diagnostic pop
 
 /// The misfit of the best Masing joint.
-struct MasingTest {
+struct MasingMisfit {
   double share = 0.0;                       ///< misfit as a share of k_eq or f, rms, 1
   double noise = 0.0;                       ///< the most that noise gives, 1
   LevelCause cause = LevelCause::kUnknown;  ///< that explains it best
@@ -48,7 +48,7 @@ struct MasingTest {
   [[nodiscard]] bool failed() const { return share > noise; }
 };
 
-/// Tests D with k_eq. With weights 1/σ², and χ² of the best joint with and without a cause,
+/// Of D with k_eq. With weights 1/σ², and χ² of the best joint with and without a cause,
 ///
 ///     F = (χ²₀ − χ²₁)/s²,   s² = (χ²₁ + ν₀)/(ν₁ + ν₀),
 ///
@@ -61,17 +61,17 @@ struct MasingTest {
 /// @param stiffness       k, N/m, for units alone.
 /// @param linear_damping  whether D may contain βA².
 /// @return  nothing without k_eq, or with fewer levels.
-[[nodiscard]] std::optional<MasingTest> test_secant(const LevelEvidence& levels, double stiffness,
-                                                    bool linear_damping);
+[[nodiscard]] std::optional<MasingMisfit> secant_misfit(const LevelEvidence& levels,
+                                                        double stiffness, bool linear_damping);
 
 /// The same of D with frequencies, for a load that differs from a level on, or changes with the
 /// order of measurement; the deviation of f counts as 2e-5 of it at least. Other causes cannot be
 /// seen: the share of the joint in the mode is free and may change with k_eq, and D may be any
 /// multiple.
-[[nodiscard]] std::optional<MasingTest> test_frequency(const LevelEvidence& levels,
-                                                       double stiffness, bool linear_damping);
+[[nodiscard]] std::optional<MasingMisfit> frequency_misfit(const LevelEvidence& levels,
+                                                           double stiffness, bool linear_damping);
 
 /// Cause and size as the end of a sentence: "as if the normal load were 18 % lower from 21 µm on".
-[[nodiscard]] std::string cause_text(const MasingTest& test, std::string_view quantity);
+[[nodiscard]] std::string cause_text(const MasingMisfit& misfit, std::string_view quantity);
 
 }  // namespace microslip

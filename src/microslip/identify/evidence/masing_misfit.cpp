@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "microslip/identify/evidence/masing_test.hpp"
-
-#include <fmt/format.h>
+#include "microslip/identify/evidence/masing_misfit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +12,6 @@
 #include <vector>
 
 #include "microslip/algebra/core.hpp"
-#include "microslip/base/percent.hpp"
 #include "microslip/identify/smoothing/eigen_view.hpp"
 #include "microslip/identify/smoothing/quadratic_program.hpp"
 #include "microslip/joint/secant.hpp"
@@ -24,7 +20,7 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t kFewestToTest = 4;
+constexpr std::size_t kFewestLevels = 4;
 /// F of a cause, of one joint for D and another for k_eq, and of each further slider of these. None
 /// of 1700 tables of exact joints came near; chosen in view of half of them.
 constexpr double kCauseLimit = 10.0;
@@ -109,9 +105,31 @@ class AnyJoint {
  public:
   AnyJoint(const LevelEvidence& levels, double stiffness, bool damping, bool frequencies);
 
-  [[nodiscard]] MasingTest test();
+  [[nodiscard]] MasingMisfit misfit();
 
  private:
+  /// The best joint alone, and with the departure that helps it most.
+  struct Fits {
+    BestFit none;
+    BestFit cause;
+    Departure named;
+  };
+  /// By how many times χ² of the best joint exceeds what noise gives at most.
+  struct Excess {
+    double over;
+    double limit;
+  };
+  [[nodiscard]] Fits fits();
+  [[nodiscard]] Excess excess_of(const Fits& fits, double rows) const;
+  void name_cause(const Fits& fits, double rows, MasingMisfit& misfit) const;
+  /// s² of what is left.
+  [[nodiscard]] double variance(double square, double parameters, double rows) const;
+  [[nodiscard]] double most_variance() const;
+  /// σ of all levels together, as a share of k_eq or f.
+  [[nodiscard]] double relative_deviation() const;
+  [[nodiscard]] bool given() const { return d_given_ && k_given_; }
+  /// Parameters beside the sliders.
+  [[nodiscard]] double offset() const { return frequencies_ ? 2.0 : 1.0; }
   [[nodiscard]] BestFit fitted(const Departure& departure, bool with_d, bool with_k,
                                double slope) const;
   [[nodiscard]] BestFit best(const Departure& departure, double range) const;
@@ -417,137 +435,122 @@ void AnyJoint::read_scatter(const BestFit& fit) {
   sigma_k_ = (scatter(fit.left_of_k, known_k_, most.k) * sigma_k_).cwiseMax(least);
 }
 
-MasingTest AnyJoint::test() {
-  if (frequencies_) {
-    slope_ = start_slope();
-    for (int i = 0; i < 2; ++i) slope_ = best({}, 8.0).slope;
-  }
-  correct_common_errors();
+// Where the deviations are not given they are read from the best cause, and all is fitted anew.
+AnyJoint::Fits AnyJoint::fits() {
   std::vector<Departure> all = departures();
-  const bool given = d_given_ && k_given_;
-  BestFit none;
-  BestFit cause;
-  Departure named;
-  for (int pass = 0; pass < (given ? 1 : kScatterPasses); ++pass) {
-    if (pass > 0) read_scatter(cause.square < none.square ? cause : none);
-    none = best({}, 2.0);
-    slope_ = none.slope;
+  Fits found;
+  for (int pass = 0; pass < (given() ? 1 : kScatterPasses); ++pass) {
+    if (pass > 0) read_scatter(found.cause.square < found.none.square ? found.cause : found.none);
+    found.none = best({}, 2.0);
+    slope_ = found.none.slope;
     std::vector<std::pair<double, Departure>> tried;
-    cause = {};
+    found.cause = {};
     for (const Departure& departure : all) {
       BestFit fit = good(departure);
       tried.emplace_back(fit.square, departure);
-      if (!(fit.square < cause.square)) continue;
-      cause = std::move(fit);
-      named = departure;
+      if (!(fit.square < found.cause.square)) continue;
+      found.cause = std::move(fit);
+      found.named = departure;
     }
-    if (frequencies_ && !all.empty()) cause = best(named, 2.0);
+    if (frequencies_ && !all.empty()) found.cause = best(found.named, 2.0);
     // Another scatter changes the order of the best ones at most.
     std::ranges::stable_sort(tried, {}, &std::pair<double, Departure>::first);
     all.clear();
     for (std::size_t i = 0; i < std::min(kKept, tried.size()); ++i) all.push_back(tried[i].second);
   }
+  return found;
+}
+
+double AnyJoint::variance(double square, double parameters, double rows) const {
+  const double known = known_d_ + known_k_;
+  const double found = (square + known) / (std::max(1.0, rows - parameters) + known);
+  return std::min(most_variance(), given() ? std::max(1.0, found) : found);
+}
+
+double AnyJoint::most_variance() const {
+  const Scatter limits = most_scatter();
+  return std::max(1.0, 0.5 * (limits.d * limits.d + limits.k * limits.k));
+}
+
+AnyJoint::Excess AnyJoint::excess_of(const Fits& fits, double rows) const {
   const BestFit of_d = fitted({}, true, false, slope_);
   const BestFit of_k = fitted({}, false, true, slope_);
-  const auto rows = static_cast<double>(none.left_of_d.size() + none.left_of_k.size());
-  const double known = known_d_ + known_k_;
-  const double offset = frequencies_ ? 2.0 : 1.0;
-  const Scatter limits = most_scatter();
-  const double most = std::max(1.0, 0.5 * (limits.d * limits.d + limits.k * limits.k));
-  const auto variance = [&](double square, double parameters) {
-    const double s2 = (square + known) / (std::max(1.0, rows - parameters) + known);
-    return std::min(most, given ? std::max(1.0, s2) : s2);
-  };
-  const double s2 = variance(cause.square, cause.sliders + offset);
-  const double apart = of_d.square + of_k.square;
-  const double s2_apart = variance(apart, of_d.sliders + of_k.sliders);
-  const double more = std::max(1.0, of_d.sliders + of_k.sliders - none.sliders);
-  const double apart_limit = given ? kApartLimit + kApartOfEach * more
-                                   : kApartLimitOfScatter + kApartOfEachOfScatter * more;
-  const double cause_limit = frequencies_ ? kFrequencyLimit : kCauseLimit;
-  const double of_cause = std::max(0.0, none.square - cause.square) / (cause_limit * s2);
+  const double square = fits.none.square;
+  const double of_cause = (frequencies_ ? kFrequencyLimit : kCauseLimit) *
+                          variance(fits.cause.square, fits.cause.sliders + offset(), rows);
+  const Excess cause{std::max(0.0, square - fits.cause.square) / of_cause, of_cause};
   // A mode whose share of the joint changes fits D as little.
-  const double of_apart =
-      frequencies_ ? 0.0 : std::max(0.0, none.square - apart) / (apart_limit * s2_apart);
+  if (frequencies_) return cause;
 
-  const double alone_limit = rows + kAloneDeviations * std::sqrt(2.0 * rows);
-  const double of_alone = frequencies_ || most == std::numeric_limits<double>::infinity()
-                              ? 0.0
-                              : none.square / (alone_limit * most);
+  const double sliders = of_d.sliders + of_k.sliders;
+  const double more = std::max(1.0, sliders - fits.none.sliders);
+  const double of_apart = (given() ? kApartLimit + kApartOfEach * more
+                                   : kApartLimitOfScatter + kApartOfEachOfScatter * more) *
+                          variance(of_d.square + of_k.square, sliders, rows);
+  const Excess apart{std::max(0.0, square - of_d.square - of_k.square) / of_apart, of_apart};
 
-  // σ of all levels together, as a share of k_eq or f.
+  const double of_alone = (rows + kAloneDeviations * std::sqrt(2.0 * rows)) * most_variance();
+  const Excess alone{std::isfinite(of_alone) ? square / of_alone : 0.0, of_alone};
+  return std::max({cause, apart, alone},
+                  [](const Excess& one, const Excess& other) { return one.over < other.over; });
+}
+
+double AnyJoint::relative_deviation() const {
   const Eigen::VectorXd relative =
       frequencies_ ? Eigen::VectorXd(0.5 * sigma_k_.cwiseQuotient(k_)) : sigma_k_;
-  const double sigma =
-      std::sqrt(static_cast<double>(relative.size()) / relative.cwiseInverse().squaredNorm());
-  const std::array<std::pair<double, double>, 3> tests = {{{of_cause, cause_limit * s2},
-                                                           {of_apart, apart_limit * s2_apart},
-                                                           {of_alone, alone_limit * most}}};
-  const auto& [over, limit] =
-      *std::ranges::max_element(tests, {}, &std::pair<double, double>::first);
-  MasingTest found;
-  found.noise = sigma * std::sqrt(limit / rows);
-  found.share = found.noise * std::sqrt(over);
-  found.noise = std::max(found.noise, frequencies_ ? kLeastFrequencyNoise : kLeastSecantNoise);
+  return std::sqrt(static_cast<double>(relative.size()) / relative.cwiseInverse().squaredNorm());
+}
+
+MasingMisfit AnyJoint::misfit() {
+  if (frequencies_) {
+    slope_ = start_slope();
+    for (int i = 0; i < 2; ++i) slope_ = best({}, 8.0).slope;
+  }
+  correct_common_errors();
+  const Fits found = fits();
+  const auto rows = static_cast<double>(found.none.left_of_d.size() + found.none.left_of_k.size());
+  const Excess excess = excess_of(found, rows);
+  MasingMisfit misfit;
+  misfit.noise = relative_deviation() * std::sqrt(excess.limit / rows);
+  misfit.share = misfit.noise * std::sqrt(excess.over);
+  misfit.noise = std::max(misfit.noise, frequencies_ ? kLeastFrequencyNoise : kLeastSecantNoise);
+  name_cause(found, rows, misfit);
+  return misfit;
+}
+
+void AnyJoint::name_cause(const Fits& fits, double rows, MasingMisfit& misfit) const {
   Eigen::Index worst = 0;
-  none.left_of_k.cwiseAbs().maxCoeff(&worst);
+  fits.none.left_of_k.cwiseAbs().maxCoeff(&worst);
   const double top = evidence_.levels().amplitude.back();
-  found.at = top * a_(std::min(worst * each_, a_.size() - 1));
-  const double expected = s2 * std::max(1.0, rows - none.sliders - offset);
-  if (none.square - cause.square < kMostOfMisfit * (none.square - expected)) {
+  misfit.at = top * a_(std::min(worst * each_, a_.size() - 1));
+  const double s2 = variance(fits.cause.square, fits.cause.sliders + offset(), rows);
+  const double expected = s2 * std::max(1.0, rows - fits.none.sliders - offset());
+  if (fits.none.square - fits.cause.square < kMostOfMisfit * (fits.none.square - expected)) {
     // The share of the joint in the mode may change: that is no step.
-    if (frequencies_) found.share = std::min(found.share, found.noise);
-    return found;
+    if (frequencies_) misfit.share = std::min(misfit.share, misfit.noise);
+    return;
   }
-  found.cause = named.cause;
-  found.size = named.size;
-  if (named.cause == LevelCause::kStep) found.at = top * named.at;
-  if (named.cause == LevelCause::kLinearDamping) {
-    found.size = cause.damping / std::max(1e-300, d_(d_.size() - 1));
+  misfit.cause = fits.named.cause;
+  misfit.size = fits.named.size;
+  if (misfit.cause == LevelCause::kStep) misfit.at = top * fits.named.at;
+  if (misfit.cause == LevelCause::kLinearDamping) {
+    misfit.size = fits.cause.damping / std::max(1e-300, d_(d_.size() - 1));
   }
-  return found;
 }
 
 }  // namespace
 
-std::optional<MasingTest> test_secant(const LevelEvidence& levels, double stiffness,
-                                      bool linear_damping) {
+std::optional<MasingMisfit> secant_misfit(const LevelEvidence& levels, double stiffness,
+                                          bool linear_damping) {
   if (levels.levels().secant_stiffness.empty()) return std::nullopt;
-  if (levels.size() < kFewestToTest) return std::nullopt;
-  return AnyJoint(levels, stiffness, linear_damping, false).test();
+  if (levels.size() < kFewestLevels) return std::nullopt;
+  return AnyJoint(levels, stiffness, linear_damping, false).misfit();
 }
 
-std::optional<MasingTest> test_frequency(const LevelEvidence& levels, double stiffness,
-                                         bool linear_damping) {
-  if (levels.levels().frequency.empty() || levels.size() < kFewestToTest) return std::nullopt;
-  return AnyJoint(levels, stiffness, linear_damping, true).test();
-}
-
-std::string cause_text(const MasingTest& test, std::string_view quantity) {
-  constexpr double kMicrometre = 1e-6;
-  const std::string load =
-      fmt::format("{} {}", percent_text(std::abs(test.size)), test.size < 0.0 ? "lower" : "higher");
-  switch (test.cause) {
-    case LevelCause::kStep:
-      return fmt::format("as if the normal load were {} from {:.4g} µm on", load,
-                         test.at / kMicrometre);
-    case LevelCause::kTrend:
-      return fmt::format("as if the normal load were {} at the largest level than at the smallest",
-                         load);
-    case LevelCause::kOrder:
-      return fmt::format(
-          "as if the normal load were {} at the last level measured than at the "
-          "first",
-          load);
-    case LevelCause::kLinearDamping:
-      return fmt::format("as if {} of D at the largest level were linear damping",
-                         percent_text(test.size));
-    case LevelCause::kLossFactor:
-      return fmt::format("as if D were {:.2g} times that which {} requires", test.size, quantity);
-    case LevelCause::kUnknown:
-      break;
-  }
-  return fmt::format("most of all at {:.4g} µm", test.at / kMicrometre);
+std::optional<MasingMisfit> frequency_misfit(const LevelEvidence& levels, double stiffness,
+                                             bool linear_damping) {
+  if (levels.levels().frequency.empty() || levels.size() < kFewestLevels) return std::nullopt;
+  return AnyJoint(levels, stiffness, linear_damping, true).misfit();
 }
 
 }  // namespace microslip
