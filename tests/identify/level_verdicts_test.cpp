@@ -153,7 +153,9 @@ TEST(LevelVerdicts, NameALoadThatChanges) {
       EXPECT_NEAR(secant->misfit->size, -0.2, 0.06) << given;
       const bool step = load == stepped;
       EXPECT_EQ(secant->misfit->cause, step ? LevelCause::kStep : LevelCause::kTrend) << given;
-      if (step) EXPECT_NEAR(secant->misfit->at, levels.amplitude[6], 1e-9);
+      if (step) {
+        EXPECT_NEAR(secant->misfit->at, levels.amplitude[6], 1e-9);
+      }
     }
     const Identification good =
         identify(LevelEvidence(under_loads(joint, std::vector<double>(12, 1.0), given)),

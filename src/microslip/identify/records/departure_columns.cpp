@@ -52,8 +52,11 @@ void add_free(Forms& forms, const std::vector<VectorXd>& columns, double further
       {.free = side_by_side(columns), .freedom = static_cast<double>(columns.size()) + further});
 }
 
-/// c u̇ with c ≥ 0: nothing that is passive has less force at a higher velocity of the same motion.
-Forms rate_forms(const RecordSignals& of) { return {{.limited = of.velocity, .freedom = 1.0}}; }
+/// c u̇ with c ≥ 0, as nothing that is passive has less force at a higher velocity of the same
+/// motion; or c < 0, of a force that was recorded later than the displacement.
+Forms rate_forms(const RecordSignals& of) {
+  return {{.limited = of.velocity, .freedom = 1.0}, {.limited = -of.velocity, .freedom = 2.0}};
+}
 
 /// What is left the same by a change of the sign of displacement and force.
 Forms asymmetry_forms(const RecordSignals& of) {

@@ -19,6 +19,8 @@ namespace {
 constexpr double kOverNoise = 5.0;
 /// and more than this share of it: paths are not known better.
 constexpr double kLeastDeparture = 4e-3;
+/// The joint takes up most of a part in step with the velocity: less of it is left.
+constexpr double kLeastRate = 1.5e-3;
 /// What is left below this share of the force is not compared further.
 constexpr double kLeastLeft = 3e-4;
 
@@ -71,8 +73,9 @@ Judged judge(const Sought& sought, const DepartureFit& fit) {
     judged.verdict.share = std::sqrt(std::max(0.0, before * before - left.share * left.share));
     judged.verdict.noise = left.noise * std::sqrt(freedom);
   }
-  judged.verdict.broken =
-      judged.verdict.share > std::max(kOverNoise * judged.verdict.noise, kLeastDeparture);
+  const bool is_rate = sought.departure == RecordDeparture::kRate;
+  judged.verdict.broken = judged.verdict.share > std::max(kOverNoise * judged.verdict.noise,
+                                                          is_rate ? kLeastRate : kLeastDeparture);
   return judged;
 }
 
