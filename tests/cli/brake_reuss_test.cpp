@@ -219,11 +219,13 @@ session = "hammer"
   const CsvTable table(box_.get("campaign/campaign.csv"), "campaign.csv");
   const std::vector<std::string> test = table.text("test");
   double sum = 0.0;
+  int outside = 0;
   int ratios = 0;
   int frequencies = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (test[row] != "blow") continue;
     if (const std::string measured = table.text("damping_ratio")[row]; !measured.empty()) {
+      outside += table.text("damping_ratio_verdict")[row] == "inside" ? 0 : 1;
       sum += std::stod(measured) / std::stod(table.text("damping_ratio_predicted")[row]) - 1.0;
       ++ratios;
     }
@@ -236,7 +238,7 @@ session = "hammer"
   EXPECT_GT(sum / ratios, 0.04);
   EXPECT_LT(sum / ratios, 0.12);
   test::record_largest("damping ratio of the blow, mean [1]", sum / ratios);
-  EXPECT_NE(box_.get("campaign/comparison.csv").find("# warning: few_inside"), std::string::npos);
+  EXPECT_GE(outside, 1);
 }
 
 }  // namespace
