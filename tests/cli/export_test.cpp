@@ -258,7 +258,7 @@ TEST(export_command, WritesCWithTheBitsOfTheLibrary) {
   ASSERT_TRUE(
       run_in(box, "cc -std=c99 -pedantic -Wall -Werror -O2 -ffp-contract=off main.c -o main"))
       << box.get("log");
-  ASSERT_TRUE(run_in(box, "./main <steps >forces")) << box.get("log");
+  ASSERT_TRUE(run_in(box, "(./main <steps >forces)")) << box.get("log");
   std::istringstream lines(box.get("forces"));
   std::size_t i = 0;
   for (std::string line; std::getline(lines, line); ++i) {
@@ -366,7 +366,7 @@ TEST(export_command, RefusesWhatNoTargetHolds) {
   refused({"joint.json", "--to", "c", "--units", "cgs"}, {"--units"});
   refused({"joint.json", "--to", "c", "--name", "2bolts"}, {"--name", "must be a letter"});
   refused({"joint.json", "--to", "c", "--elements", "2"}, {"number of sliders", "from 3"});
-  refused({"joint.json", "--to", "c", "--up-to", "0 um"}, {"reach", "above 0 m"});
+  refused({"joint.json", "--to", "c", "--up-to", "0 um"}, {"--up-to = 0", "must be above 0 m"});
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ inline constexpr const char* kHdf5Value = "FILE.h5";
 inline constexpr const char* kJsonValue = "FILE.json";
 inline constexpr const char* kTomlValue = "FILE.toml";
 inline constexpr const char* kHtmlValue = "FILE.html";
+inline constexpr const char* kInputValue = "INPUT";  ///< of another program, as export writes it
 inline constexpr const char* kPictureValue = "PICTURE";      ///< in any format that is drawn
 inline constexpr const char* kRecordingValue = "RECORDING";  ///< in any format that can be read
 inline constexpr const char* kTestValue = "TEST";  ///< a recording, or another file of a test

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "arguments/command.hpp"
+#include "microslip/documents/exports/export_targets.hpp"
 
 namespace microslip::app {
 namespace {
@@ -61,6 +62,15 @@ void find_offer(ValueDescription& value) {
   } else if (value.name == kRecordingValue) {
     value.offer = Offer::kFiles;
     value.endings.assign(kRecordingEndings.begin(), kRecordingEndings.end());
+  } else if (value.name == kInputValue) {
+    value.offer = Offer::kFiles;
+    for (const ExportTarget& target : all_export_targets()) {
+      const std::string ending(
+          target.ending.substr(std::min<std::size_t>(1, target.ending.size())));
+      if (!ending.empty() && std::ranges::count(value.endings, ending) == 0) {
+        value.endings.push_back(ending);
+      }
+    }
   } else if (value.name == kPictureValue) {
     value.offer = Offer::kFiles;
     value.endings.assign(kPictureEndings.begin(), kPictureEndings.end());

@@ -104,7 +104,7 @@ void add_export(CLI::App& program, Call& call) {
                    "File to write; - is standard output. The joint becomes Jenkins elements in "
                    "parallel, each a spring in series with a slider")
       ->required()
-      ->type_name("FILE");
+      ->type_name(kInputValue);
   CLI::Option* elements = command->add_option(
       "--elements", options->elements,
       "Number of sliders, chosen so that the largest error of the force is as small as it can be; "

@@ -11,7 +11,7 @@ namespace microslip {
 
 /// As few Jenkins elements as a joint can be taken for, and by how much they are wrong.
 struct EqualErrorSliders {
-  JenkinsNetwork network;
+  JenkinsNetwork network;  ///< of the elements, and of a spring where something never slips
   /// ε, the largest |F_n(x) − F(x)| up to the reach, N: of the force on first loading. A branch of
   /// a loop is 2F(x/2), so that it is off by up to 2ε more than the force it begins with.
   double error;

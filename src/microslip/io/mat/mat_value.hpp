@@ -33,6 +33,7 @@ struct MatTree;
 /// A variable of a file with all that is in it: the file is read once, whatever is asked for.
 class MatVariable {
  public:
+  /// @param path      of the file.
   /// @param variable  its name, or a path that begins with it; empty: all variables of the file.
   MatVariable(std::string path, std::string_view variable);
 

@@ -58,7 +58,7 @@ struct JointExport {
                                        const std::vector<std::string>& remarks);
 
 /// Table of the errors: amplitude, D, D of the sliders, and so on; CSV.
-/// @param command  as of loop_of().
+/// @param errors   of export_joint(). @param command  as of loop_of().
 [[nodiscard]] std::string slider_errors_table(const SliderErrors& errors,
                                               const std::string& command);
 
