@@ -132,6 +132,7 @@ ReadBack read_backbone(const std::string& text) {
 }
 
 std::vector<double> list_of(const std::string& text, const std::string& begin) {
+  if (text.find(begin) == std::string::npos) return {};
   const std::size_t from = text.find('{', text.find(begin));
   std::vector<double> values;
   for (const auto& m :
@@ -337,6 +338,17 @@ TEST(export_command, SaysHowExactItIs) {
   EXPECT_NE(box.get("j.inp").find("** microslip export: calculix"), std::string::npos);
   EXPECT_NE(box.get("e.csv").find("amplitude [m],dissipation_error [1],secant_stiffness_error [1]"),
             std::string::npos);
+}
+
+TEST(export_command, WritesASpringOfAJointThatNeverSlips) {
+  const Sandbox box{
+      {"joint.json",
+       R"({"schema": "microslip.joint/1", "stiffness_N_per_m": 1e6, "density": []})"}};
+  for (const Target& target : kTargets) {
+    const ReadBack read = target.read(
+        expect_done(box, {"export", "joint.json", "--to", target.name, "--out", "-"}).out);
+    EXPECT_NEAR(forces_of(read, {1e-3}).front(), 1e3, 1e-9) << target.name;
+  }
 }
 
 // An export is replaced by one to the same target, and nothing else is.

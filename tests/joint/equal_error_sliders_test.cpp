@@ -139,6 +139,7 @@ TEST(EqualErrorSliders, OfAJointThatNeverSlipsAreASpring) {
   const EqualErrorSliders chosen = equal_error_sliders(Joint(kStiffness, SlipDensity()), 5);
   EXPECT_EQ(chosen.network.size(), 0U);
   EXPECT_EQ(chosen.network.elastic_stiffness(), kStiffness);
+  EXPECT_EQ(joint_of(chosen.network).virgin_force(1e-3), 1e-3 * kStiffness);
 }
 
 }  // namespace

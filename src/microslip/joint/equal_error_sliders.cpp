@@ -211,6 +211,7 @@ EqualErrorSliders equal_error_sliders(const Joint& joint, std::size_t n, double 
 }
 
 Joint joint_of(const JenkinsNetwork& network) {
+  if (network.size() == 0) return Joint(network.elastic_stiffness(), SlipDensity());
   double k = network.elastic_stiffness();
   for (const double stiffness : network.stiffness()) k += stiffness;
   AtomsPart atoms;

@@ -36,7 +36,6 @@ struct EqualErrorSliders {
 
 /// The joint that a network is, its elements as atoms of the density: for all that is computed of a
 /// joint.
-/// @throws InputError  where the network is a spring of 0 N/m alone.
 [[nodiscard]] Joint joint_of(const JenkinsNetwork& network);
 
 }  // namespace microslip
