@@ -358,7 +358,8 @@ TEST(export_command, ReplacesItsOwnFilesAlone) {
   const Arguments call{"export", "joint.json", "--to", "calculix", "--out", "j.inp"};
   expect_done(box, call);
   expect_done(box, with(call, {"--first-number", "7"}));
-  expect_refused(box, {"export", "joint.json", "--to", "ansys", "--out", "j.inp"}, {"j.inp"});
+  expect_refused(box, {"export", "joint.json", "--to", "ansys", "--out", "j.inp"},
+                 {"j.inp", "would be replaced by a joint exported to ansys."});
   expect_refused(box, {"export", "joint.json", "--to", "calculix", "--out", "mine.inp"},
                  {"mine.inp"});
 }

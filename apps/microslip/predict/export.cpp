@@ -59,7 +59,8 @@ int run(const ExportOptions& options, const Call& call) {
   }
   request.name = name_of(options);
   const ExportTarget& target = export_target(request.target);
-  std::vector<PlannedOutput> planned{{options.out, export_kind(target.name)}};
+  const std::string kind = export_kind(target.name);  // PlannedOutput refers to it
+  std::vector<PlannedOutput> planned{{options.out, kind}};
   if (!options.errors.empty()) planned.push_back({options.errors, kSliderErrorsKind});
   check_outputs(planned);
   const NamedInput input{options.joint, read_text(options.joint)};

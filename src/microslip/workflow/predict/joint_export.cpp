@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kPathPoints = 60;
 /// Of the error asked for: so much is allowed along the nested path, as other paths differ from it.
-constexpr double kShareOfError = 0.7;
+constexpr double kShareOfError = 0.5;
 constexpr std::size_t kAmplitudes = 91;
 /// The lowest amplitude of the table over the highest.
 constexpr double kLowest = 1e-3;
