@@ -58,11 +58,12 @@ Forms rate_forms(const RecordSignals& of) {
   return {{.limited = of.velocity, .freedom = 1.0}, {.limited = -of.velocity, .freedom = 2.0}};
 }
 
-/// What is left the same by a change of the sign of displacement and force.
+/// What is left the same by a change of the sign of displacement and force. Of the joint's force:
+/// on a path to one side the noise of the measured one would explain itself.
 Forms asymmetry_forms(const RecordSignals& of) {
   Forms forms;
-  const VectorXd force = of.measured.cwiseAbs();
-  const VectorXd force_square = of.measured.cwiseAbs2();
+  const VectorXd force = of.found.cwiseAbs();
+  const VectorXd force_square = of.found.cwiseAbs2();
   add_free(forms, {force, force_square});
   const double middle = 0.5 * (of.displacement.maxCoeff() + of.displacement.minCoeff());
   for (const double centre : {0.0, middle}) {
