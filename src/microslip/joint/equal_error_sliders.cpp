@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "microslip/base/error.hpp"
+#include "microslip/joint/continuous_moments.hpp"
 
 namespace microslip {
 namespace {
@@ -33,7 +34,7 @@ class ContinuousSliders {
   ContinuousSliders(const SlipDensity& density, double largest)
       : density_(density),
         end_(std::min(largest, density.largest_slip_force())),
-        total_(moments(end_)) {}
+        total_(continuous_moments(density, end_)) {}
 
   [[nodiscard]] double weight() const { return total_.zeroth; }
   /// The force when all of them slip, N.
@@ -43,23 +44,13 @@ class ContinuousSliders {
 
   /// F(s) and F′(s).
   [[nodiscard]] std::pair<double, double> curve(double s) const {
-    const PartialMoments m = moments(s);
+    const PartialMoments m = continuous_moments(density_, s);
     const double slope = std::max(0.0, total_.zeroth - m.zeroth);
     return {m.first + s * slope, slope};
   }
   [[nodiscard]] double force(double s) const { return curve(s).first; }
 
  private:
-  [[nodiscard]] PartialMoments moments(double s) const {
-    PartialMoments m = density_.moments(s);
-    const AtomsPart& atoms = density_.atoms();
-    for (std::size_t i = 0; i < atoms.slip_force.size() && atoms.slip_force[i] <= s; ++i) {
-      m.zeroth -= atoms.weight[i];
-      m.first -= atoms.weight[i] * atoms.slip_force[i];
-    }
-    return m;
-  }
-
   const SlipDensity& density_;
   double end_;
   PartialMoments total_;

@@ -11,6 +11,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/vector_clones.hpp"
+#include "microslip/joint/continuous_moments.hpp"
 #include "microslip/joint/path.hpp"
 
 namespace microslip {
@@ -35,17 +36,7 @@ class ContinuousPart {
 
   [[nodiscard]] double weight() const { return total_.zeroth; }
 
-  [[nodiscard]] PartialMoments moments(double s) const {
-    PartialMoments m = density_.moments(s);
-    const AtomsPart& atoms = density_.atoms();
-    for (std::size_t i = 0; i < atoms.slip_force.size() && atoms.slip_force[i] <= s; ++i) {
-      const double f = atoms.slip_force[i];
-      m.zeroth -= atoms.weight[i];
-      m.first -= atoms.weight[i] * f;
-      m.second -= atoms.weight[i] * f * f;
-    }
-    return m;
-  }
+  [[nodiscard]] PartialMoments moments(double s) const { return continuous_moments(density_, s); }
 
   /// The slip force below which the weight is `weight`.
   [[nodiscard]] double quantile(double weight) const {
