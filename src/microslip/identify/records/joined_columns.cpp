@@ -16,20 +16,11 @@ JoinedColumns::JoinedColumns(const SettledRecords& settled) {
   const QuadraticProgram::Solution& solution = settled.best.solution;
   const std::vector<Index> free = free_coefficients(solution);
   design_ = problem.design()(Eigen::all, free);
-  ridge_ = problem.hessian(settled.best.lambda)(free, free) - design_.transpose() * design_;
   residual_ = problem.data() - problem.design() * solution.x;
-  factor();
-}
-
-void JoinedColumns::add(const MatrixXd& columns) {
-  const Index before = design_.cols();
-  MatrixXd wider(design_.rows(), before + columns.cols());
-  wider << design_, columns;
-  design_ = std::move(wider);
-  MatrixXd ridge = MatrixXd::Zero(design_.cols(), design_.cols());
-  ridge.topLeftCorner(before, before) = ridge_;
-  ridge_ = std::move(ridge);
-  factor();
+  const MatrixXd gram = design_.transpose() * design_;
+  const MatrixXd ridge = problem.hessian(settled.best.lambda)(free, free) - gram;
+  normal_.compute(gram + ridge);
+  left_ = (residual_ - design_ * normal_.solve(design_.transpose() * residual_)).squaredNorm();
 }
 
 JoinedColumns::Explained JoinedColumns::explain(const MatrixXd& columns) const {
@@ -42,13 +33,7 @@ JoinedColumns::Explained JoinedColumns::explain(const MatrixXd& columns) const {
   const double explained = found.coefficients.dot(score);
   const double variance = std::max(left_ - explained, 0.0) / static_cast<double>(residual_.size());
   found.covariance = variance * own.solve(MatrixXd::Identity(gram.rows(), gram.rows()));
-  found.gain = variance > 0.0 ? explained / variance : 0.0;
   return found;
-}
-
-void JoinedColumns::factor() {
-  normal_.compute(design_.transpose() * design_ + ridge_);
-  left_ = (residual_ - design_ * normal_.solve(design_.transpose() * residual_)).squaredNorm();
 }
 
 MatrixXd columns_among_all(const SettledRecords& settled, std::size_t record, MatrixXd columns) {

@@ -18,23 +18,16 @@ class JoinedColumns {
  public:
   explicit JoinedColumns(const SettledRecords& settled);
 
-  /// Takes columns, weighted as columns_among_all(), among those of the joint.
-  void add(const Eigen::MatrixXd& columns);
-
   /// The part that columns would explain.
   struct Explained {
     Eigen::VectorXd coefficients = {};
     Eigen::MatrixXd covariance = {};  ///< of coefficients, by noise
-    double gain = 0.0;                ///< of the weighted sum of squares, in those of noise
   };
   /// @param columns  weighted as columns_among_all().
   [[nodiscard]] Explained explain(const Eigen::MatrixXd& columns) const;
 
  private:
-  void factor();
-
   Eigen::MatrixXd design_;
-  Eigen::MatrixXd ridge_;
   Eigen::VectorXd residual_;
   Eigen::LDLT<Eigen::MatrixXd> normal_;  // of them
   double left_ = 0.0;                    // weighted sum of squares, without further columns
