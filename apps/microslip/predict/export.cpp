@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -40,16 +39,6 @@ std::string name_of(const ExportOptions& options) {
   return name_in_exports(std::filesystem::path(options.joint).stem().string());
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
-}
-
 int run(const ExportOptions& options, const Call& call) {
   ExportRequest request = options.request;
   if (options.elements > 0) request.sliders = options.elements;
@@ -65,8 +54,7 @@ int run(const ExportOptions& options, const Call& call) {
   check_outputs(planned);
   const NamedInput input{options.joint, read_text(options.joint)};
   const JointFile file = parse_joint(input.text, input.path);
-  const JointExport result =
-      export_joint(file, request, lines_of(provenance_of(call.command_line, {input})));
+  const JointExport result = export_joint(file, request, provenance_of(call.command_line, {input}));
   OutputFiles files;
   files.add(options.out, result.text);
   if (!options.errors.empty()) {

@@ -3,19 +3,19 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "microslip/io/bytes/text_pieces.hpp"
 
 namespace microslip {
 
 std::string comment_lines(const ExportedJoint& joint, std::string_view begin,
                           std::string_view target, std::string_view end) {
   std::string text;
-  for (std::string remark : joint.remarks) {
+  for (std::string_view rest = joint.remarks; !rest.empty();) {
+    std::string remark(take_line(rest));
     // What ends a comment of C ends none here.
     for (std::size_t at = remark.find("*/"); at != std::string::npos; at = remark.find("*/")) {
       remark.replace(at, 2, "* /");
     }
-    std::ranges::replace(remark, '\n', ' ');
     text += fmt::format("{}{}{}\n", begin, remark, end);
   }
   text += fmt::format("{}microslip export: {}{}\n", begin, target, end);

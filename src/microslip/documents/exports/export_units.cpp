@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/io/bytes/text.hpp"
 
 namespace microslip {
 namespace {
@@ -21,18 +21,14 @@ constexpr std::array kExportUnits{
     ExportUnits{"mm-N-t", 1.0, 1e-3, "N", "mm", "N/mm"},
     ExportUnits{"in-lbf", kPound* kStandardGravity, kInch, "lbf", "in", "lbf/in"}};
 
-bool same_letters(std::string_view a, std::string_view b) {
-  return std::ranges::equal(
-      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
-}
-
 }  // namespace
 
 std::span<const ExportUnits> all_export_units() { return kExportUnits; }
 
 const ExportUnits& export_units(std::string_view name) {
-  const auto* const found = std::ranges::find_if(
-      kExportUnits, [&](const ExportUnits& units) { return same_letters(units.name, name); });
+  const auto* const found = std::ranges::find_if(kExportUnits, [&](const ExportUnits& units) {
+    return in_capitals(units.name) == in_capitals(name);
+  });
   if (found != kExportUnits.end()) return *found;
   std::string names;
   for (const ExportUnits& units : kExportUnits) {

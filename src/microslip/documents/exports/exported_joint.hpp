@@ -25,7 +25,7 @@ struct ExportedJoint {
   double spring;                        ///< stiffness of what never slips, force/length; ≥ 0
   ExportUnits units;                    ///< of all numbers
   std::size_t first_number = 1;  ///< of nodes, elements, materials or tags that are made; ≥ 1
-  std::vector<std::string> remarks = {};  ///< lines that become comments
+  std::string remarks = {};      ///< lines that become comments
 };
 
 /// A network in the units of an export.

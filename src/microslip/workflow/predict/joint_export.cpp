@@ -157,7 +157,7 @@ std::vector<double> nested_path(double amplitude, std::size_t points) {
 }
 
 JointExport export_joint(const JointFile& file, const ExportRequest& request,
-                         const std::vector<std::string>& remarks) {
+                         const std::string& remarks) {
   const ExportTarget& target = export_target(request.target);
   const ExportUnits& units = export_units(request.units);
   check(request, file);
@@ -172,11 +172,12 @@ JointExport export_joint(const JointFile& file, const ExportRequest& request,
   if (auto warning = linear_damping_warning(file)) result.warnings.push_back(*std::move(warning));
   ExportedJoint joint = exported_joint(chosen.network, request.name, units);
   joint.first_number = request.first_number;
-  joint.remarks = remarks;
-  joint.remarks.push_back(fmt::format(
-      "the force is within {} of the largest on first loading, and within {} along a nested path",
-      percent_text(result.errors.first_loading), percent_text(result.errors.path)));
-  for (const Warning& warning : result.warnings) joint.remarks.push_back(warning_lines({warning}));
+  joint.remarks = with_warnings(
+      remarks + fmt::format("\nthe force is within {} of the largest on first loading, and within "
+                            "{} along a nested path",
+                            percent_text(result.errors.first_loading),
+                            percent_text(result.errors.path)),
+      result.warnings);
   result.text = export_text(target, joint);
   return result;
 }

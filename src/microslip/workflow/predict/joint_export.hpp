@@ -50,12 +50,12 @@ struct JointExport {
 };
 
 /// @param file     of the joint. @param request  what to write.
-/// @param remarks  lines that become the first comments, as of provenance_of().
+/// @param remarks  lines that become the first comments: provenance_of().
 /// @throws InputError  where a value of the request breaks a rule, no number of sliders up to 5000
 ///                     is as exact as asked for, or the joint has what no slider has: a viscous
 ///                     part.
 [[nodiscard]] JointExport export_joint(const JointFile& file, const ExportRequest& request,
-                                       const std::vector<std::string>& remarks);
+                                       const std::string& remarks);
 
 /// Table of the errors: amplitude, D, D of the sliders, and so on; CSV.
 /// @param errors   of export_joint(). @param command  as of loop_of().
