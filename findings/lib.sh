@@ -84,3 +84,11 @@ scilab() { # SCRIPT: the lines that it prints behind `seen `; all that Scilab sa
     scilab-cli-bin -nb -quit -f "$1" >scilab.log 2>&1 </dev/null || true
   sed -n 's/^seen //p' scilab.log
 }
+
+r() { # SCRIPT: its output, without a line on R's own settings, which are not unpacked; messages are in r.log
+  local home="$root/usr/lib/R" share="$root/usr/share/R/share"
+  [[ -x "$home/bin/exec/R" ]] || home=/usr/lib/R share=/usr/share/R/share
+  EDITOR=vi PAGER=cat R_HOME="$home" R_SHARE_DIR="$share" \
+    R_LIBS="$root/usr/lib/R/site-library:/usr/lib/R/site-library" LD_LIBRARY_PATH="$home/lib:$LD_LIBRARY_PATH" \
+    "$home/bin/exec/R" --vanilla --no-echo -f "$1" 2>r.log </dev/null | sed '/^cannot find system Renviron/d' || true
+}

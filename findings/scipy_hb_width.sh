@@ -30,16 +30,12 @@ END
 python3 write.py >widths.txt || fail "SciPy does not read what it wrote"
 [[ "$(cat widths.txt)" == "(3E25.16) but lines of 72 columns" ]] || fail "$(cat widths.txt)"
 
-# R from where it is unpacked.
-export EDITOR=vi PAGER=cat R_HOME="$root/usr/lib/R" R_SHARE_DIR="$root/usr/share/R/share"
-[[ -d "$R_HOME" ]] || export R_HOME=/usr/lib/R R_SHARE_DIR=/usr/share/R/share
-export R_LIBS="$R_HOME/site-library" LD_LIBRARY_PATH="$R_HOME/lib:$LD_LIBRARY_PATH"
 numbers_by_r() { # FILE: how many entries R finds, their sum, how many are NA
-  "$R_HOME/bin/exec/R" --vanilla --no-echo -e \
-    "library(Matrix); x <- readHB('$1')@x; cat(length(x), sum(x, na.rm = TRUE), sum(is.na(x)))" 2>/dev/null | tail -n 1
+  echo "library(Matrix); x <- readHB('$1')@x; cat(length(x), sum(x, na.rm = TRUE), sum(is.na(x)), '\n')" >read.R
+  r read.R | tail -n 1
 }
-wider="$(numbers_by_r wider.rua)"
-as_written="$(numbers_by_r stiffness.rua)"
+read -r wider < <(numbers_by_r wider.rua)
+read -r as_written < <(numbers_by_r stiffness.rua)
 [[ "$wider" == "10 4100000 0" ]] || fail "R reads the wider file as: $wider"
 [[ "$as_written" == "10 "*" "[1-9]* ]] || fail "R reads the file as: $as_written"
 seen "header $(cat widths.txt); R: entries, sum, NA: as written $as_written, one blank wider $wider"
