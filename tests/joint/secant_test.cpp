@@ -34,6 +34,16 @@ long double exact_secant(long double rho) {
   return (theta - 0.5L * std::sin(2.0L * theta)) / kPi;
 }
 
+/// A saw-tooth of the density over `count` segments of a width.
+PiecewiseLinearPart saw_tooth(double from, double width, int count) {
+  PiecewiseLinearPart part;
+  for (int i = 0; i <= count; ++i) {
+    part.slip_force.push_back(from + width * i);
+    part.density.push_back(i % 2 == 0 ? 0.01 : 0.5 / (width * count));
+  }
+  return part;
+}
+
 struct Case {
   std::string name;
   SlipDensity density;
@@ -57,6 +67,8 @@ std::vector<Case> cases() {
     add("power law above 0", {PowerLawPart{0.02, exponent, 0.5, 10.0}});
   }
   add("piecewise linear", {linear});
+  add("segments of 0.01 rad", {saw_tooth(0.0, 0.1, 100)});
+  add("segments below 1e-4 rad", {saw_tooth(4.0, 1e-4, 100)});
   add("atoms", {atoms});
   add("four-parameter", {FourParameterPart{30.0, 1e5, -0.3, 0.2}});
   add("sum", {uniform, linear, atoms, PowerLawPart{0.01, -1.0, 0.5, 10.0},
