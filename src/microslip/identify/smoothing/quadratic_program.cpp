@@ -21,6 +21,18 @@ constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 constexpr int kBlockTrials = 4;  // block exchanges without progress before go_downhill()
 constexpr int kMostExchanges = 2000;
 
+/// The lower triangle of the rows and columns of an index, which rises.
+void take_lower(const Eigen::MatrixXd& matrix, const std::vector<Eigen::Index>& index,
+                Eigen::MatrixXd& taken) {
+  const std::size_t count = index.size();
+  taken.resize(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
+  for (std::size_t j = 0; j < count; ++j) {
+    const double* from = matrix.col(index[j]).data();
+    double* to = taken.col(static_cast<Eigen::Index>(j)).data();
+    for (std::size_t i = j; i < count; ++i) to[i] = from[index[i]];
+  }
+}
+
 }  // namespace
 
 QuadraticProgram::QuadraticProgram(Eigen::VectorXd budget_weights, double budget)
@@ -39,7 +51,7 @@ bool QuadraticProgram::solve_on_free(const Eigen::MatrixXd& hessian, const Eigen
   solution.x.setZero(n);
   solution.multiplier = 0.0;
   if (count > 0) {
-    reduced_ = hessian(index_, index_);
+    take_lower(hessian, index_, reduced_);
     right_.resize(count, 2);
     right_.col(0) = linear(index_);
     right_.col(1) = budget_weights_(index_);
@@ -60,7 +72,11 @@ bool QuadraticProgram::solve_on_free(const Eigen::MatrixXd& hessian, const Eigen
   }
   slack_.noalias() = hessian.selfadjointView<Eigen::Lower>() * solution.x;
   slack_ += solution.multiplier * budget_weights_ - linear;
-  slack_rounding_ = kRounding * (hessian.cwiseAbs() * solution.x.cwiseAbs()).maxCoeff();
+  magnitude_.setZero(n);
+  for (const Eigen::Index j : index_) {
+    magnitude_ += hessian.col(j).cwiseAbs() * std::abs(solution.x(j));
+  }
+  slack_rounding_ = kRounding * magnitude_.maxCoeff();
   return true;
 }
 

@@ -73,6 +73,7 @@ class QuadraticProgram {
   Eigen::MatrixXd reduced_;
   Eigen::MatrixXd right_;
   Eigen::VectorXd slack_;
+  Eigen::VectorXd magnitude_;  // Σ_j |H_ij x_j|
   double slack_rounding_ = 0.0;
 };
 
