@@ -67,14 +67,17 @@ double {0}_force(const {0}_state *from, double displacement, {0}_state *to, doub
 
 }  // namespace
 
-std::string c_source(const ExportedJoint& joint) {
+std::string c_code(const ExportedJoint& joint) {
   const std::size_t padded =
       std::max<std::size_t>(1, (joint.sliders.size() + kLanesOfC - 1) / kLanesOfC) * kLanesOfC;
-  return comment_lines(joint, "/* ", "c", " */") +
-         fmt::format(fmt::runtime(kCode), joint.name, padded, joint.units.length,
+  return fmt::format(fmt::runtime(kCode), joint.name, padded, joint.units.length,
                      table_of(joint, &ExportedSlider::stiffness, padded),
                      table_of(joint, &ExportedSlider::slip_displacement, padded), joint.spring,
                      joint.units.force, kLanesOfC);
+}
+
+std::string c_source(const ExportedJoint& joint) {
+  return comment_lines(joint, "/* ", "c", " */") + c_code(joint);
 }
 
 }  // namespace microslip

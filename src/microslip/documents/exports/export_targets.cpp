@@ -21,6 +21,7 @@ constexpr std::array kTargets{
     ExportTarget{"c", "source file of C, state in and out", ".c", false, c_source},
     ExportTarget{"calculix", "include file of CalculiX with a plastic cube for each slider", ".inp",
                  false, calculix_cubes},
+    ExportTarget{"fmu", "FMI 2.0 for model exchange and co-simulation", ".fmu", false, fmu_archive},
     ExportTarget{"mastodon", "backbone of MASTODON, which makes the sliders of it", ".csv", false,
                  mastodon_backbone},
     ExportTarget{"modelica", "model of translational mechanics", ".mo", true, modelica_model},

@@ -24,6 +24,14 @@ namespace microslip {
 /// One source file of C without dependencies.
 [[nodiscard]] std::string c_source(const ExportedJoint& joint);
 
+/// The same without comments at its head, for sources that contain it: NAME_state and NAME_force().
+[[nodiscard]] std::string c_code(const ExportedJoint& joint);
+
+/// Archive of FMI 2.0: `modelDescription.xml`, a source file of C and, on Linux on x86-64, the
+/// shared object that the C compiler of this machine makes of it. @throws Error  where there is
+/// none.
+[[nodiscard]] std::string fmu_archive(const ExportedJoint& joint);
+
 /// Backbone of MASTODON, strain and stress: it makes the sliders of it.
 [[nodiscard]] std::string mastodon_backbone(const ExportedJoint& joint);
 

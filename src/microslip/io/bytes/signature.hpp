@@ -10,6 +10,9 @@ namespace microslip {
 /// empty where they are those of no format known here, as with tables.
 [[nodiscard]] std::string_view signature(std::string_view head);
 
+/// Of a ZIP archive whose files no reader knows.
+inline constexpr std::string_view kZipSignature = "a ZIP archive or a spreadsheet";
+
 /// Whether the readers of MAT files take a file of this signature: MATLAB's, and Octave's text.
 [[nodiscard]] bool is_mat_signature(std::string_view signature);
 

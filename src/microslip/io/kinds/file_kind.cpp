@@ -246,6 +246,9 @@ std::string file_kind(std::string_view head) {
       return std::string(schema);
     }
   }
+  if (name == kZipSignature && head.find(kFmuMark) != std::string_view::npos) {
+    return export_kind("fmu");
+  }
   if (!name.empty()) return std::string(name);
   if (const std::string_view target = exported_to(head); !target.empty())
     return export_kind(target);

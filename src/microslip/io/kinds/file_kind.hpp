@@ -84,6 +84,8 @@ inline constexpr std::string_view kSliderErrorsKind = "a table of errors of slid
 /// Of a joint exported to a target: "a joint exported to calculix". Its text has the comment
 /// "microslip export: TARGET".
 [[nodiscard]] std::string export_kind(std::string_view target);
+/// In `modelDescription.xml`, the first file of an archive of FMI that `export` writes.
+inline constexpr std::string_view kFmuMark = "<!-- microslip export: fmu -->";
 
 class InputStream;
 

@@ -32,6 +32,7 @@ constexpr std::array kFormatMarks{
     FormatMark{"a PNG picture", std::string_view("Software\0microslip ", 19)},
     FormatMark{"a PDF document", "/Producer (microslip "},
     FormatMark{"a PDF document", "\n% microslip "},  // its last line
+    FormatMark{kZipSignature, kFmuMark},
     FormatMark{"an HTML page", "<meta name=\"generator\" content=\"microslip report\">"},
 };
 
