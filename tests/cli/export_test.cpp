@@ -185,10 +185,10 @@ struct Target {
   ReadBack (*read)(const std::string& text);
 };
 
-const std::vector<Target> kTargets{{"calculix", read_cubes},    {"abaqus-cubes", read_cubes},
-                                   {"abaqus", read_connectors}, {"ansys", read_combin40},
-                                   {"opensees", read_opensees}, {"openseespy", read_opensees},
-                                   {"mastodon", read_backbone}, {"modelica", read_modelica}};
+const std::vector<Target> kTargets{
+    {"calculix", read_cubes},    {"abaqus-cubes", read_cubes}, {"abaqus", read_connectors},
+    {"ansys", read_combin40},    {"opensees", read_opensees},  {"openseespy", read_opensees},
+    {"mastodon", read_backbone}, {"modelica", read_modelica},  {"code-aster", read_code_aster}};
 
 // The numbers are written with 14 digits at least; a backbone's slopes lose four of them.
 TEST(export_command, IsReadBackByTheRulesOfEachProgram) {
@@ -351,6 +351,24 @@ TEST(export_command, WritesASpringOfAJointThatNeverSlips) {
   }
 }
 
+TEST(export_command, TakesAnErrorInPercent) {
+  const Sandbox box{{"joint.json", kParts}};
+  const auto sliders = [&](const std::string& error) {
+    return read_opensees(expect_done(box, {"export", "joint.json", "--to", "opensees", "--error",
+                                           error, "--out", "-"})
+                             .out)
+        .stiffness;
+  };
+  EXPECT_EQ(sliders("5%"), sliders("0.05"));
+}
+
+// Of a file whose name is a word of the language.
+TEST(export_command, NamesTheJointByItsFile) {
+  const Sandbox box{{"class.json", kSliders}};
+  expect_done(box, {"export", "class.json", "--to", "openseespy", "--out", "o.py"});
+  EXPECT_NE(box.get("o.py").find("def class_joint(ops):"), std::string::npos);
+}
+
 // An export is replaced by one to the same target, and nothing else is.
 TEST(export_command, ReplacesItsOwnFilesAlone) {
   const Sandbox box{{"joint.json", kSliders},
@@ -378,6 +396,10 @@ TEST(export_command, RefusesWhatNoTargetHolds) {
   refused({"joint.json", "--to", "modelica", "--units", "mm-N-t"}, {"must be SI for modelica"});
   refused({"joint.json", "--to", "c", "--units", "cgs"}, {"--units"});
   refused({"joint.json", "--to", "c", "--name", "2bolts"}, {"--name", "must be a letter"});
+  refused({"joint.json", "--to", "openseespy", "--name", "lambda"},
+          {"--name = lambda", "word of the language", "Take lambda_joint"});
+  refused({"joint.json", "--to", "modelica", "--name", "model"}, {"Take model_joint"});
+  refused({"joint.json", "--to", "c", "--error", "60%"}, {"--error = 0.6", "from 1e-07 to 0.5"});
   refused({"joint.json", "--to", "c", "--elements", "2"}, {"number of sliders", "from 3"});
   refused({"joint.json", "--to", "c", "--up-to", "0 um"}, {"--up-to = 0", "must be above 0 m"});
 }

@@ -31,12 +31,13 @@ struct ExportOptions {
   ExportRequest request;
   std::string reach;
   std::size_t elements = 0;
+  std::string error = "0.001";
 };
 
 /// The name of the file without its ending, where none was given.
-std::string name_of(const ExportOptions& options) {
+std::string name_of(const ExportOptions& options, const ExportTarget& target) {
   if (!options.request.name.empty()) return options.request.name;
-  return name_in_exports(std::filesystem::path(options.joint).stem().string());
+  return name_for_target(target, std::filesystem::path(options.joint).stem().string());
 }
 
 int run(const ExportOptions& options, const Call& call) {
@@ -46,8 +47,9 @@ int run(const ExportOptions& options, const Call& call) {
     request.reach = parse_quantity("--up-to", options.reach, kLength);
     check_displacement("--up-to", request.reach);
   }
-  request.name = name_of(options);
+  request.error = parse_quantity("--error", options.error, kDimensionless);
   const ExportTarget& target = export_target(request.target);
+  request.name = name_of(options, target);
   const std::string kind = export_kind(target.name);  // PlannedOutput refers to it
   std::vector<PlannedOutput> planned{{options.out, kind}};
   if (!options.errors.empty()) planned.push_back({options.errors, kSliderErrorsKind});
@@ -100,9 +102,9 @@ void add_export(CLI::App& program, Call& call) {
       "if not given as many as --error needs");
   elements->check(CLI::Range(1, 5000));
   command
-      ->add_option("--error", options->request.error,
-                   "Largest error of the force along a nested path, over its largest force")
-      ->check(CLI::Range(1e-7, 0.5))
+      ->add_option("--error", options->error,
+                   "Largest error of the force along a nested path, over its largest force; from "
+                   "1e-7 to 0.5, or in %")
       ->capture_default_str()
       ->excludes(elements);
   command->add_option("--up-to", options->reach,
@@ -115,7 +117,8 @@ void add_export(CLI::App& program, Call& call) {
       ->check(CLI::IsMember({"SI", "mm-N-t", "in-lbf"}, CLI::ignore_case))
       ->capture_default_str();
   command->add_option("--name", options->request.name,
-                      "Name of the joint in the target; that of the file if not given");
+                      "Name of the joint in the target; that of the file if not given, with _joint "
+                      "behind it if that is a word of the language");
   command
       ->add_option("--first-number", options->request.first_number,
                    "First number of the nodes, elements, real constants or tags that are made")

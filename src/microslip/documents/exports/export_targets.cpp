@@ -12,6 +12,83 @@
 namespace microslip {
 namespace {
 
+/// Of Python. [The Python Language Reference 3.11, 2.3.1]
+constexpr std::array<std::string_view, 35> kPythonWords{
+    "False", "None",     "True",  "and",    "as",   "assert", "async",  "await",    "break",
+    "class", "continue", "def",   "del",    "elif", "else",   "except", "finally",  "for",
+    "from",  "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
+    "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
+
+/// Of Modelica, and the names of its own types. [Modelica Language Specification 3.6, 2.3.3, 4.9]
+constexpr std::array<std::string_view, 68> kModelicaWords{"algorithm",
+                                                          "and",
+                                                          "annotation",
+                                                          "block",
+                                                          "break",
+                                                          "class",
+                                                          "connect",
+                                                          "connector",
+                                                          "constant",
+                                                          "constrainedby",
+                                                          "der",
+                                                          "discrete",
+                                                          "each",
+                                                          "else",
+                                                          "elseif",
+                                                          "elsewhen",
+                                                          "encapsulated",
+                                                          "end",
+                                                          "enumeration",
+                                                          "equation",
+                                                          "expandable",
+                                                          "extends",
+                                                          "external",
+                                                          "false",
+                                                          "final",
+                                                          "flow",
+                                                          "for",
+                                                          "function",
+                                                          "if",
+                                                          "import",
+                                                          "impure",
+                                                          "in",
+                                                          "initial",
+                                                          "inner",
+                                                          "input",
+                                                          "loop",
+                                                          "model",
+                                                          "not",
+                                                          "operator",
+                                                          "or",
+                                                          "outer",
+                                                          "output",
+                                                          "package",
+                                                          "parameter",
+                                                          "partial",
+                                                          "protected",
+                                                          "public",
+                                                          "pure",
+                                                          "record",
+                                                          "redeclare",
+                                                          "replaceable",
+                                                          "return",
+                                                          "stream",
+                                                          "then",
+                                                          "true",
+                                                          "type",
+                                                          "when",
+                                                          "while",
+                                                          "within",
+                                                          "Real",
+                                                          "Integer",
+                                                          "Boolean",
+                                                          "String",
+                                                          "Clock",
+                                                          "AssertionLevel",
+                                                          "StateSelect",
+                                                          "ExternalObject",
+                                                          "time"};
+
 constexpr std::array kTargets{
     ExportTarget{"abaqus", "include file of Abaqus with a connector for each slider", ".inp", false,
                  abaqus_connectors},
@@ -24,13 +101,21 @@ constexpr std::array kTargets{
     ExportTarget{"fmu", "FMI 2.0 for model exchange and co-simulation", ".fmu", false, fmu_archive},
     ExportTarget{"mastodon", "backbone of MASTODON, which makes the sliders of it", ".csv", false,
                  mastodon_backbone},
-    ExportTarget{"modelica", "model of translational mechanics", ".mo", true, modelica_model},
+    ExportTarget{.name = "modelica",
+                 .words = "model of translational mechanics",
+                 .ending = ".mo",
+                 .si_only = true,
+                 .text = modelica_model,
+                 .reserved = kModelicaWords},
     ExportTarget{"nastran", "", "", false, nullptr,
                  "a CBUSH1D with a table is elastic and dissipates nothing, and the friction of a "
                  "CGAP follows its normal force: neither is this joint"},
     ExportTarget{"opensees", "Tcl that makes a uniaxial material", ".tcl", false, opensees_tcl},
-    ExportTarget{"openseespy", "Python that makes a uniaxial material of OpenSees", ".py", false,
-                 opensees_python},
+    ExportTarget{.name = "openseespy",
+                 .words = "Python that makes a uniaxial material of OpenSees",
+                 .ending = ".py",
+                 .text = opensees_python,
+                 .reserved = kPythonWords},
 };
 
 std::string names_of_targets() {
@@ -40,6 +125,27 @@ std::string names_of_targets() {
     names += fmt::format("{}{}", names.empty() ? "" : ", ", target.name);
   }
   return names;
+}
+
+bool is_reserved(const ExportTarget& target, std::string_view name) {
+  return std::ranges::find(target.reserved, name) != target.reserved.end();
+}
+
+void check_name_and_number(const ExportTarget& target, const ExportedJoint& joint) {
+  if (is_reserved(target, joint.name)) {
+    throw InputError("`name`", joint.name,
+                     fmt::format("is a word of the language of {} and no name there", target.name),
+                     fmt::format("Take {}.", name_for_target(target, joint.name)));
+  }
+  if (joint.name.size() > target.longest_name) {
+    throw InputError(
+        "`name`", joint.name,
+        fmt::format("must have at most {} letters for {}", target.longest_name, target.name));
+  }
+  if (joint.first_number > target.largest_number) {
+    throw InputError("`first_number`", static_cast<double>(joint.first_number),
+                     fmt::format("must be at most {} for {}", target.largest_number, target.name));
+  }
 }
 
 }  // namespace
@@ -59,12 +165,20 @@ const ExportTarget& export_target(std::string_view name) {
   return *found;
 }
 
+std::string name_for_target(const ExportTarget& target, std::string_view text) {
+  std::string name = name_in_exports(text);
+  if (is_reserved(target, name)) name += "_joint";
+  if (name.size() > target.longest_name) name.resize(target.longest_name);
+  return name;
+}
+
 std::string export_text(const ExportTarget& target, const ExportedJoint& joint) {
   if (target.si_only && (joint.units.newtons != 1.0 || joint.units.metres != 1.0)) {
     throw InputError(
         "`units`", joint.units.name,
         fmt::format("must be SI for {}, whose connectors are in N and m", target.name));
   }
+  check_name_and_number(target, joint);
   return target.text(joint);
 }
 

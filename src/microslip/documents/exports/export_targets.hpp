@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ struct ExportTarget {
   std::string (*text)(const ExportedJoint& joint) = nullptr;
   /// Why no joint is exported to it; empty where one is.
   std::string_view reason = {};
+  /// Words of the language that are no names there.
+  std::span<const std::string_view> reserved = {};
+  std::size_t longest_name = kLongestExportedName;   ///< letters
+  std::size_t largest_number = kLargestFirstNumber;  ///< of ExportedJoint::first_number
 };
 
 /// All of them, also those that are known and refused.
@@ -28,8 +33,13 @@ struct ExportTarget {
 ///                                           where no joint can be exported to it.
 [[nodiscard]] const ExportTarget& export_target(std::string_view name);
 
+/// A name for a joint in a target, made of any text: name_in_exports(), not longer than it may be,
+/// and with `_joint` behind a reserved word.
+[[nodiscard]] std::string name_for_target(const ExportTarget& target, std::string_view text);
+
 /// The joint as the input of a target.
-/// @throws InputError  where the units are not those that the language fixes.
+/// @throws InputError  where the units are not those that the language fixes, the name is a word of
+///                     the language or too long for it, or the first number is too large.
 [[nodiscard]] std::string export_text(const ExportTarget& target, const ExportedJoint& joint);
 
 }  // namespace microslip

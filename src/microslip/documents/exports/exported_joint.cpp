@@ -12,8 +12,6 @@
 namespace microslip {
 namespace {
 
-constexpr std::size_t kLongestName = 32;
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_of_name(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; }
 
@@ -21,12 +19,12 @@ bool is_of_name(char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == 
 
 ExportedJoint exported_joint(const JenkinsNetwork& network, std::string name,
                              const ExportUnits& units) {
-  const bool fits = !name.empty() && name.size() <= kLongestName && is_letter(name.front()) &&
-                    std::ranges::all_of(name, is_of_name);
+  const bool fits = !name.empty() && name.size() <= kLongestExportedName &&
+                    is_letter(name.front()) && std::ranges::all_of(name, is_of_name);
   if (!fits) {
-    throw InputError(
-        "`name`", name,
-        fmt::format("must be a letter, then letters, digits and _, {} at most", kLongestName));
+    throw InputError("`name`", name,
+                     fmt::format("must be a letter, then letters, digits and _, {} at most",
+                                 kLongestExportedName));
   }
   const double stiffness_unit = units.newtons / units.metres;
   ExportedJoint joint{.name = std::move(name),
@@ -47,7 +45,7 @@ std::string name_in_exports(std::string_view text) {
   for (const char c : text) name += is_of_name(c) ? c : '_';
   const auto first = std::ranges::find_if(name, is_letter);
   name.erase(name.begin(), first);
-  if (name.size() > kLongestName) name.resize(kLongestName);
+  if (name.size() > kLongestExportedName) name.resize(kLongestExportedName);
   return name.empty() ? "joint" : name;
 }
 

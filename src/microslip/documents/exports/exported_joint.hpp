@@ -11,6 +11,9 @@
 
 namespace microslip {
 
+inline constexpr std::size_t kLongestExportedName = 32;         ///< letters
+inline constexpr std::size_t kLargestFirstNumber = 90'000'000;  ///< of nodes, elements, …
+
 /// A Jenkins element in the units of an export.
 struct ExportedSlider {
   double stiffness;          ///< κ, force/length; > 0

@@ -31,7 +31,6 @@ constexpr double kLowest = 1e-3;
 constexpr std::size_t kMostSliders = 5000;
 constexpr double kSmallestError = 1e-7;
 constexpr double kLargestError = 0.5;
-constexpr std::size_t kLargestNumber = 90'000'000;
 /// Of D: from the amplitude on that the summary names.
 constexpr double kFairDissipation = 0.05;
 
@@ -113,9 +112,9 @@ void check(const ExportRequest& request, const JointFile& file) {
     throw InputError("`elements`", static_cast<double>(*request.sliders),
                      fmt::format("must be at most {}", kMostSliders));
   }
-  if (request.first_number < 1 || request.first_number > kLargestNumber) {
+  if (request.first_number < 1 || request.first_number > kLargestFirstNumber) {
     throw InputError("`first_number`", static_cast<double>(request.first_number),
-                     fmt::format("must be from 1 to {}", kLargestNumber));
+                     fmt::format("must be from 1 to {}", kLargestFirstNumber));
   }
   const double viscous = identified_viscous(file);
   if (viscous != 0.0) {
