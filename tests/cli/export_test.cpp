@@ -151,6 +151,15 @@ ReadBack read_modelica(const std::string& text) {
   return read;
 }
 
+/// DIS_ECRO_CINE without hardening: stiffness and limit of a slider; nothing reaches a spring's.
+ReadBack read_code_aster(const std::string& text) {
+  ReadBack read;
+  for (const auto& m : matches(text, "\n    \\(" + kNumber + ", " + kNumber + "\\)")) {
+    read.slider(m[0], m[1]);
+  }
+  return read;
+}
+
 /// Sliders one by one, each followed by its position.
 std::vector<double> forces_of(const ReadBack& read, const std::vector<double>& path) {
   std::vector<double> position(read.stiffness.size(), 0.0);
@@ -266,6 +275,57 @@ TEST(export_command, WritesCWithTheBitsOfTheLibrary) {
     ASSERT_EQ(std::strtod(line.c_str(), nullptr), expected.at(i)) << i;
   }
   EXPECT_EQ(i, expected.size());
+}
+
+/// Force of elements with the law DIS_ECRO_CINE, KCIN_DX = 0, by its increments: the anelastic
+/// displacement grows where |k(u − u_an)| passes the limit, and rests where u does.
+/// [Code_Aster R5.03.17]
+std::vector<double> forces_by_increments(const ReadBack& read, const std::vector<double>& path) {
+  std::vector<double> anelastic(read.stiffness.size(), 0.0);
+  std::vector<double> forces;
+  double before = 0.0;
+  for (const double u : path) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < anelastic.size(); ++i) {
+      const double k = read.stiffness[i];
+      const double from = k * (before - anelastic[i]);
+      const double to = k * (u - anelastic[i]);
+      const double limit = u >= before ? read.slip_force[i] : -read.slip_force[i];
+      if (u != before && std::abs(to) > read.slip_force[i]) {
+        anelastic[i] += u - before - (limit - from) / k;
+      }
+      sum += k * (u - anelastic[i]);
+    }
+    before = u;
+    forces.push_back(sum);
+  }
+  return forces;
+}
+
+// The functions run in Python, as in a command file, with operators that hand back what they get.
+TEST(export_command, WritesFunctionsForCodeAster) {
+  const Sandbox box{{"joint.json", kSliders}};
+  expect_done(box, {"export", "joint.json", "--to", "code-aster", "--elements", "5", "--name",
+                    "bolt", "--first-number", "11", "--out", "bolt.py"});
+  box.put("main.py",
+          "from bolt import *\nget = lambda **all: all\nbolt_write_mesh('fort.21')\n"
+          "for m, s in zip(bolt_materials(get, get), bolt_stiffness(get)):\n"
+          "    assert m['GROUP_MA'] == s['GROUP_MA'] and s['CARA'] == 'K_T_D_L'\n"
+          "    law = m['MATER']['DIS_ECRO_CINE']\n"
+          "    assert law['KCIN_DX'] == 0 and s['VALE'][1:] == (0, 0)\n"
+          "    print('\\n    (%r, %r)' % (s['VALE'][0], law['LIMY_DX']), m['GROUP_MA'])\n");
+  ASSERT_TRUE(run_in(box, "(python3 -B main.py >values)")) << box.get("log");
+  const ReadBack read = read_code_aster("\n" + box.get("values"));
+  ASSERT_EQ(read.stiffness.size(), 6U);
+  const std::vector<double> path = testing::random_path(4, 400, 1.2e-4, 3);
+  std::vector<double> expected(path.size());
+  const Joint joint = parse_joint(kSliders, "joint.json").joint;
+  Memory(joint).march(path, expected);
+  EXPECT_LT(difference(forces_by_increments(read, path), expected), 1e-9);
+  const std::string mesh = box.get("fort.21");
+  EXPECT_NE(mesh.find("\nSEG2\nM11 N11 N12\n"), std::string::npos) << mesh;
+  EXPECT_NE(mesh.find("\nGROUP_MA\nbolt_6 M16\nFINSF\n"), std::string::npos) << mesh;
+  EXPECT_NE(mesh.find("\nGROUP_MA\nbolt\nM11 M12 M13 M14 M15 M16\n"), std::string::npos) << mesh;
 }
 
 /// A deck that moves the end B along a path, mm, one increment a point.
@@ -399,6 +459,8 @@ TEST(export_command, RefusesWhatNoTargetHolds) {
   refused({"joint.json", "--to", "openseespy", "--name", "lambda"},
           {"--name = lambda", "word of the language", "Take lambda_joint"});
   refused({"joint.json", "--to", "modelica", "--name", "model"}, {"Take model_joint"});
+  refused({"joint.json", "--to", "code-aster", "--name", "a_bolt_of_the_second_flange"},
+          {"at most 19 letters"});
   refused({"joint.json", "--to", "c", "--error", "60%"}, {"--error = 0.6", "from 1e-07 to 0.5"});
   refused({"joint.json", "--to", "c", "--elements", "2"}, {"number of sliders", "from 3"});
   refused({"joint.json", "--to", "c", "--up-to", "0 um"}, {"--up-to = 0", "must be above 0 m"});

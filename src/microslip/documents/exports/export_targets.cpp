@@ -89,6 +89,11 @@ constexpr std::array<std::string_view, 68> kModelicaWords{"algorithm",
                                                           "ExternalObject",
                                                           "time"};
 
+/// Groups of Code_Aster have 24 letters, of which `_` and the number of a slider take five.
+constexpr std::size_t kLongestAsterName = 19;
+/// Its nodes and elements have 8, a letter and seven digits.
+constexpr std::size_t kLargestAsterNumber = 9'000'000;
+
 constexpr std::array kTargets{
     ExportTarget{"abaqus", "include file of Abaqus with a connector for each slider", ".inp", false,
                  abaqus_connectors},
@@ -98,6 +103,12 @@ constexpr std::array kTargets{
     ExportTarget{"c", "source file of C, state in and out", ".c", false, c_source},
     ExportTarget{"calculix", "include file of CalculiX with a plastic cube for each slider", ".inp",
                  false, calculix_cubes},
+    ExportTarget{.name = "code-aster",
+                 .words = "Python for command files of Code_Aster: DIS_ECRO_CINE elements",
+                 .ending = ".py",
+                 .text = code_aster_functions,
+                 .longest_name = kLongestAsterName,
+                 .largest_number = kLargestAsterNumber},
     ExportTarget{"fmu", "FMI 2.0 for model exchange and co-simulation", ".fmu", false, fmu_archive},
     ExportTarget{"mastodon", "backbone of MASTODON, which makes the sliders of it", ".csv", false,
                  mastodon_backbone},

@@ -32,6 +32,9 @@ namespace microslip {
 /// none.
 [[nodiscard]] std::string fmu_archive(const ExportedJoint& joint);
 
+/// Python for command files of Code_Aster: a mesh of discrete elements, their law and stiffness.
+[[nodiscard]] std::string code_aster_functions(const ExportedJoint& joint);
+
 /// Backbone of MASTODON, strain and stress: it makes the sliders of it.
 [[nodiscard]] std::string mastodon_backbone(const ExportedJoint& joint);
 
