@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -328,6 +329,71 @@ TEST(export_command, WritesFunctionsForCodeAster) {
   EXPECT_NE(mesh.find("\nGROUP_MA\nbolt\nM11 M12 M13 M14 M15 M16\n"), std::string::npos) << mesh;
 }
 
+/// Calls UEL for each line "displacement keep procedure", the increments of a solver.
+const std::string kElementDriver = R"(program main
+  implicit none
+  integer, parameter :: n = 42
+  double precision rhs(2,1), k(2,2), state(n), trial(n), energy(8), u(2), two(2), alpha(3), d, x
+  integer keep, procedure, end, flags(5), i
+  state = 0; two = 0; d = 0; energy = 0; alpha = (/ -0.05d0, 0d0, 0d0 /)
+  do
+    read (*, *, iostat=end) x, keep, procedure
+    if (end /= 0) exit
+    trial = state
+    u = (/ 0d0, x /)
+    flags = (/ procedure, 0, 1, 0, 0 /)
+    i = 1
+    call UEL(rhs, k, trial, energy, 2, 1, n, two, 0, two, 1, 2, u, two, two, two, 1, two, d, 1, 1, &
+             1, alpha, 0, i, two, two, 0, flags, 2, two, 0, d, flags, 0, d)
+    write (*, '(2(Z16.16, 1X))') transfer(-rhs(2,1), 0_8), transfer(k(2,2), 0_8)
+    if (rhs(1,1) /= -rhs(2,1) .or. k(1,2) /= -k(2,2)) stop 1
+    if (keep == 1) state = trial
+  end do
+end program
+)";
+
+// 10⁴ increments, of which some are given up and a few are of implicit dynamics, where the force of
+// the increment before counts by α = −0.05 of Hilber, Hughes and Taylor.
+TEST(export_command, WritesAnElementWithTheBitsOfTheLibrary) {
+  if (std::system("command -v gfortran >/dev/null") != 0) GTEST_SKIP() << "no gfortran";
+  const Sandbox box{{"joint.json", kParts}, {"main.f90", kElementDriver}};
+  expect_done(box, {"export", "joint.json", "--to", "abaqus-uel", "--elements", "37", "--name",
+                    "a_name_of_the_thirty_two_letters", "--out", "bolt.for"});
+  box.put("ABA_PARAM.INC", "      IMPLICIT REAL*8(A-H,O-Z)\n      PARAMETER (NPRECD=2)\n");
+  const JenkinsNetwork network =
+      equal_error_sliders(parse_joint(kParts, "joint.json").joint, 37).network;
+  NetworkMemory memory(network, NormalLoadLaw::kTotal);
+  RandomStream random(12, 0);
+  const std::vector<double> path = testing::random_path(7, 3000, 4e-4, 4);
+  std::string steps;
+  std::vector<double> expected;
+  double kept = 0.0;
+  for (std::size_t i = 0; i < 10000; ++i) {
+    const bool keep = random.uniform() < 0.7;
+    const bool dynamic = i % 50 == 49;
+    steps += fmt::format("{:.17g} {} {}\n", path[i % path.size()], keep ? 1 : 0, dynamic ? 11 : 1);
+    NetworkMemory trial = memory;
+    const double force = trial.advance(path[i % path.size()]);
+    const double alpha = dynamic ? -0.05 : 0.0;
+    expected.push_back((1.0 + alpha) * force - alpha * kept);
+    if (!keep) continue;
+    memory = trial;
+    kept = force;
+  }
+  box.put("steps", steps);
+  ASSERT_TRUE(run_in(box,
+                     "gfortran -O2 -ffp-contract=off -std=legacy -Wno-unused bolt.for main.f90 "
+                     "-o main && (./main <steps >forces)"))
+      << box.get("log");
+  std::istringstream lines(box.get("forces"));
+  std::size_t i = 0;
+  for (std::string line; std::getline(lines, line); ++i) {
+    const double force = std::bit_cast<double>(std::strtoull(line.c_str(), nullptr, 16));
+    ASSERT_EQ(force, expected.at(i)) << i;
+  }
+  EXPECT_EQ(i, expected.size());
+}
+
 /// A deck that moves the end B along a path, mm, one increment a point.
 std::string deck(const std::vector<double>& path) {
   std::string text = "*INCLUDE, INPUT=joint.inp\n*BOUNDARY\n101, 1, 1\n*AMPLITUDE, NAME=PATH\n";
@@ -461,6 +527,8 @@ TEST(export_command, RefusesWhatNoTargetHolds) {
   refused({"joint.json", "--to", "modelica", "--name", "model"}, {"Take model_joint"});
   refused({"joint.json", "--to", "code-aster", "--name", "a_bolt_of_the_second_flange"},
           {"at most 19 letters"});
+  refused({"joint.json", "--to", "abaqus-uel", "--first-number", "10000"},
+          {"--first-number = 10000", "at most 9999"});
   refused({"joint.json", "--to", "c", "--error", "60%"}, {"--error = 0.6", "from 1e-07 to 0.5"});
   refused({"joint.json", "--to", "c", "--elements", "2"}, {"number of sliders", "from 3"});
   refused({"joint.json", "--to", "c", "--up-to", "0 um"}, {"--up-to = 0", "must be above 0 m"});

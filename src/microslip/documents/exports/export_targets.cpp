@@ -93,12 +93,19 @@ constexpr std::array<std::string_view, 68> kModelicaWords{"algorithm",
 constexpr std::size_t kLongestAsterName = 19;
 /// Its nodes and elements have 8, a letter and seven digits.
 constexpr std::size_t kLargestAsterNumber = 9'000'000;
+/// A user element of Abaqus is of type Un, n below 10000.
+constexpr std::size_t kLargestElementType = 9999;
 
 constexpr std::array kTargets{
     ExportTarget{"abaqus", "include file of Abaqus with a connector for each slider", ".inp", false,
                  abaqus_connectors},
     ExportTarget{"abaqus-cubes", "include file of Abaqus with a plastic cube for each slider",
                  ".inp", false, abaqus_cubes},
+    ExportTarget{.name = "abaqus-uel",
+                 .words = "Fortran of a user element of Abaqus, UEL",
+                 .ending = ".for",
+                 .text = abaqus_element,
+                 .largest_number = kLargestElementType},
     ExportTarget{"ansys", "APDL with a COMBIN40 for each slider", ".mac", false, ansys_commands},
     ExportTarget{"c", "source file of C, state in and out", ".c", false, c_source},
     ExportTarget{"calculix", "include file of CalculiX with a plastic cube for each slider", ".inp",

@@ -18,6 +18,9 @@ namespace microslip {
 /// Keywords of Abaqus: an elastic, perfectly plastic connector for each slider.
 [[nodiscard]] std::string abaqus_connectors(const ExportedJoint& joint);
 
+/// Fortran of a user element of Abaqus, UEL, between two nodes.
+[[nodiscard]] std::string abaqus_element(const ExportedJoint& joint);
+
 /// Commands of APDL: COMBIN40 elements.
 [[nodiscard]] std::string ansys_commands(const ExportedJoint& joint);
 
