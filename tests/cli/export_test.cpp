@@ -18,6 +18,7 @@
 #include "cli/run_program.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/documents/joint/joint_file.hpp"
+#include "microslip/dynamics/draws/drawn_joints.hpp"
 #include "microslip/joint/equal_error_sliders.hpp"
 #include "microslip/joint/memory.hpp"
 #include "support/random_path.hpp"
@@ -475,6 +476,46 @@ TEST(export_command, WritesASpringOfAJointThatNeverSlips) {
         expect_done(box, {"export", "joint.json", "--to", target.name, "--out", "-"}).out);
     EXPECT_NEAR(forces_of(read, {1e-3}).front(), 1e3, 1e-9) << target.name;
   }
+}
+
+// Draw i of a seed is the same as in a loop with draws: the files read back, against the table.
+TEST(export_command, WritesDraws) {
+  const Sandbox box{{"joint.json", kSliders}};
+  const Arguments call{"export", "joint.json",        "--to", "opensees", "--draws", "12", "--seed",
+                       "3",      "--normal-load-std", "10%",  "--out",    "draws"};
+  const Outcome run = expect_done(box, call);
+  EXPECT_NE(run.out.find("12 draws of joint for opensees"), std::string::npos) << run.out;
+  const auto rows =
+      matches(box.get("draws/draws.csv"), "\n" + kNumber + ",joint_[0-9]+.tcl," + kNumber + "," +
+                                              kNumber + "," + kNumber + "," + kNumber);
+  ASSERT_EQ(rows.size(), 12U);
+  const Joint nominal = parse_joint(kSliders, "joint.json").joint;
+  const DrawnJoints draws({JointDraws{}}, {0.1}, JointPairing::kIndependent, 3);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Joint joint = draws.draw({&nominal, 1}, i).front().joint;
+    const ReadBack read = read_opensees(box.get(fmt::format("draws/joint_{:02}.tcl", i + 1)));
+    double total = read.spring;
+    double force = 0.0;
+    for (std::size_t j = 0; j < read.stiffness.size(); ++j) {
+      total += read.stiffness[j];
+      force += read.slip_force[j];
+    }
+    EXPECT_EQ(rows[i][0], static_cast<double>(i + 1));
+    EXPECT_NEAR(total, joint.stiffness(), 1e-9 * joint.stiffness());
+    EXPECT_NEAR(force, joint.macroslip_force(), 1e-9 * force);
+    EXPECT_NEAR(rows[i][1], joint.stiffness(), 1e-9 * joint.stiffness());
+    EXPECT_NEAR(rows[i][2], force, 1e-9 * force);
+    EXPECT_NEAR(rows[i][3], read.spring, 1e-9 * joint.stiffness());
+    EXPECT_EQ(rows[i][4], 5.0);
+  }
+  expect_done(box, call);
+  expect_refused(box, with(call, {"--errors-csv", "e.csv"}), {"--errors-csv", "--draws"});
+  expect_refused(box, {"export", "joint.json", "--to", "c", "--draws", "3", "--out", "d"},
+                 {"uncertainty"});
+  expect_refused(box,
+                 {"export", "joint.json", "--to", "c", "--draws", "3", "--normal-load-std", "0.1",
+                  "--out", "-"},
+                 {"--out", "must be a folder"});
 }
 
 TEST(export_command, TakesAnErrorInPercent) {

@@ -29,6 +29,9 @@ TEST(FileKind, KnowsTheFilesOfTheProgram) {
   EXPECT_EQ(file_kind("rank [1],amplitude [m],repeats [1],width_before [1/N],width_after [1/N]\n"),
             kPlanKind);
   EXPECT_EQ(file_kind("slip_force [N],density [1/N]\n"), kDensityKind);
+  EXPECT_EQ(file_kind("draw [1],file,stiffness [N/m],macroslip_force [N]\n"), kExportedDrawsKind);
+  EXPECT_EQ(file_kind("PK\x03\x04" + std::string(26, '\0') + std::string(kFmuMark)),
+            export_kind("fmu"));
   EXPECT_EQ(file_kind("displacement [m],normal_load [1]\n"), kPathKind);
   EXPECT_EQ(file_kind("displacement [m],force [N]\n"), kLoopKind);
   EXPECT_EQ(file_kind("frequency [Hz],force [N],displacement [m],phase [rad]\n"), kResponseKind);

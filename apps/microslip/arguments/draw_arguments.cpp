@@ -14,16 +14,39 @@
 #include "microslip/workflow/text/quantity_text.hpp"
 
 namespace microslip::app {
+namespace {
+
+void add_seed_argument(CLI::App& command, DrawArguments& arguments) {
+  command
+      .add_option("--seed", arguments.seed, "Seed of the draws; the same seed gives the same draws")
+      ->needs(command.get_option("--draws"))
+      ->capture_default_str();
+}
+
+void add_uncertainty_arguments(CLI::App& command, JointDrawArguments& arguments) {
+  CLI::Option* draws = command.get_option("--draws");
+  command
+      .add_option("--samples", arguments.samples,
+                  "Posterior draws of the joint, joint_samples.h5, from identify --samples-out or "
+                  "calibrate")
+      ->needs(draws)
+      ->type_name(kHdf5Value);
+  command
+      .add_option("--normal-load-std", arguments.normal_load_std,
+                  "Relative standard deviation of the normal load, which scales all slip forces "
+                  "but not k: 0.1 or 10%")
+      ->needs(draws)
+      ->capture_default_str();
+}
+
+}  // namespace
 
 void add_draw_arguments(CLI::App& command, DrawArguments& arguments, const std::string& columns) {
   CLI::Option* draws = command.add_option(
       "--draws", arguments.count,
       "Propagate this many posterior draws of the uncertain parameters and write their band: " +
           columns);
-  command
-      .add_option("--seed", arguments.seed, "Seed of the draws; the same seed gives the same draws")
-      ->needs(draws)
-      ->capture_default_str();
+  add_seed_argument(command, arguments);
   command
       .add_option("--confidence", arguments.confidence,
                   "Probability of the band, with equal tails below and above")
@@ -44,19 +67,14 @@ void add_correlation_argument(CLI::App& command, DrawArguments& arguments) {
 void add_joint_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
                               const std::string& columns) {
   add_draw_arguments(command, arguments, columns);
-  CLI::Option* draws = command.get_option("--draws");
-  command
-      .add_option("--samples", arguments.samples,
-                  "Posterior draws of the joint, joint_samples.h5, from identify --samples-out or "
-                  "calibrate")
-      ->needs(draws)
-      ->type_name(kHdf5Value);
-  command
-      .add_option("--normal-load-std", arguments.normal_load_std,
-                  "Relative standard deviation of the normal load, which scales all slip forces "
-                  "but not k: 0.1 or 10%")
-      ->needs(draws)
-      ->capture_default_str();
+  add_uncertainty_arguments(command, arguments);
+}
+
+void add_single_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
+                               const std::string& words) {
+  command.add_option("--draws", arguments.count, words);
+  add_seed_argument(command, arguments);
+  add_uncertainty_arguments(command, arguments);
 }
 
 double parse_spread(std::string_view option, const std::string& text) {

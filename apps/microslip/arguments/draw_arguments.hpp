@@ -43,6 +43,11 @@ struct JointDrawArguments : DrawArguments {
 void add_joint_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
                               const std::string& columns);
 
+/// Adds the same without --confidence, for draws that are written one by one and make no band.
+/// @param words  what becomes of them, for the help.
+void add_single_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
+                               const std::string& words);
+
 /// A standard deviation of a logarithm on the command line. @throws InputError  out of range.
 [[nodiscard]] double parse_spread(std::string_view option, const std::string& text);
 

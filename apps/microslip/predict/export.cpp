@@ -3,22 +3,30 @@
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments/command.hpp"
+#include "arguments/draw_arguments.hpp"
 #include "arguments/printed_text.hpp"
+#include "arguments/progress_bar.hpp"
 #include "arguments/recording_arguments.hpp"
+#include "microslip/base/error.hpp"
 #include "microslip/documents/exports/export_targets.hpp"
 #include "microslip/documents/joint/joint_file.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/output_files.hpp"
+#include "microslip/io/output/output_folders.hpp"
 #include "microslip/io/output/provenance.hpp"
 #include "microslip/workflow/predict/joint_export.hpp"
+#include "microslip/workflow/predict/joint_export_draws.hpp"
+#include "microslip/workflow/predict/joint_tables.hpp"
 #include "microslip/workflow/text/quantity_text.hpp"
 
 namespace microslip::app {
@@ -32,6 +40,7 @@ struct ExportOptions {
   std::string reach;
   std::size_t elements = 0;
   std::string error = "0.001";
+  JointDrawArguments draws;
 };
 
 /// The name of the file without its ending, where none was given.
@@ -40,7 +49,7 @@ std::string name_of(const ExportOptions& options, const ExportTarget& target) {
   return name_for_target(target, std::filesystem::path(options.joint).stem().string());
 }
 
-int run(const ExportOptions& options, const Call& call) {
+ExportRequest request_of(const ExportOptions& options) {
   ExportRequest request = options.request;
   if (options.elements > 0) request.sliders = options.elements;
   if (!options.reach.empty()) {
@@ -48,9 +57,50 @@ int run(const ExportOptions& options, const Call& call) {
     check_displacement("--up-to", request.reach);
   }
   request.error = parse_quantity("--error", options.error, kDimensionless);
-  const ExportTarget& target = export_target(request.target);
-  request.name = name_of(options, target);
-  const std::string kind = export_kind(target.name);  // PlannedOutput refers to it
+  request.name = name_of(options, export_target(request.target));
+  return request;
+}
+
+/// A file for each draw, and the table of them, in a folder.
+int run_draws(const ExportOptions& options, const ExportRequest& request, const Call& call) {
+  if (options.out == "-") {
+    throw InputError("--out", options.out, "must be a folder with --draws: each draw is a file");
+  }
+  const DrawOptions draw{
+      .count = parse_whole_number("--draws", options.draws.count, 1, kMostExportedDraws),
+      .seed = parse_whole_number("--seed", options.draws.seed, 0,
+                                 std::numeric_limits<std::uint64_t>::max())};
+  OutputFolders folders;
+  folders.make(options.out);
+  const std::filesystem::path folder(options.out);
+  const std::string kind = export_kind(request.target);  // PlannedOutput refers to it
+  const std::string table = (folder / "draws.csv").string();
+  const std::vector<std::string> names = draw_file_names(request, draw.count);
+  std::vector<PlannedOutput> planned{{table, kExportedDrawsKind}};
+  for (const std::string& name : names) planned.push_back({(folder / name).string(), kind});
+  check_outputs(planned);
+  const NamedInput input{options.joint, read_text(options.joint)};
+  const JointFile file = parse_joint(input.text, input.path);
+  LoneJointDraws draws = draws_without_band(file, uncertainty_of(options.draws), draw);
+  draws.progress = progress_bar("draws", call.quiet);
+  const std::vector<ExportedDraw> exported =
+      export_draws(file, draws, request, provenance_of(call.command_line, {input}));
+  OutputFiles files;
+  files.add(table, exported_draws_table(exported, names, draws, call.command_line));
+  for (std::size_t i = 0; i < exported.size(); ++i) {
+    files.add((folder / names[i]).string(), exported[i].result.text);
+  }
+  files.commit();
+  if (call.quiet) return kDone;
+  show_warnings(exported.front().result.warnings);
+  print_text(stdout, exported_draws_summary(exported, request, options.out));
+  return kDone;
+}
+
+int run(const ExportOptions& options, const Call& call) {
+  const ExportRequest request = request_of(options);
+  if (options.draws.any()) return run_draws(options, request, call);
+  const std::string kind = export_kind(request.target);  // PlannedOutput refers to it
   std::vector<PlannedOutput> planned{{options.out, kind}};
   if (!options.errors.empty()) planned.push_back({options.errors, kSliderErrorsKind});
   check_outputs(planned);
@@ -92,8 +142,9 @@ void add_export(CLI::App& program, Call& call) {
       ->type_name("TARGET");
   command
       ->add_option("--out", options->out,
-                   "File to write; - is standard output. The joint becomes Jenkins elements in "
-                   "parallel, each a spring in series with a slider")
+                   "File to write; - is standard output. With --draws a folder: a file of each "
+                   "draw, draws.csv. The joint becomes Jenkins elements in parallel, each a "
+                   "spring in series with a slider")
       ->required()
       ->type_name(kInputValue);
   CLI::Option* elements = command->add_option(
@@ -124,17 +175,25 @@ void add_export(CLI::App& program, Call& call) {
                    "First number of the nodes, elements, real constants or tags that are made")
       ->check(CLI::Range(1, 90'000'000))
       ->capture_default_str();
+  add_single_draw_arguments(
+      *command, options->draws,
+      "Write so many posterior draws of the joint, those of the predictions with draws, as a file "
+      "each, and draws.csv: draw [1], file, stiffness [N/m], macroslip_force [N], "
+      "elastic_stiffness [N/m], sliders [1], path_error [1]");
   command
       ->add_option("--errors-csv", options->errors,
                    "CSV to write: amplitude [m], dissipation_error [1] and secant_stiffness_error "
                    "[1] of the sliders, relative to the joint")
+      ->excludes(command->get_option("--draws"))
       ->type_name(kCsvValue);
   command->add_flag("--quiet", call.quiet, "No summary and no warnings on the screen");
   add_examples(*command,
                {"microslip export joint.json --to calculix --units mm-N-t --out joint.inp",
                 "microslip export joint.json --to opensees --elements 20 --first-number 100 \\",
                 "          --out joint.tcl",
-                "microslip export joint.json --to c --error 1e-5 --name bolt --out bolt.c"});
+                "microslip export joint.json --to c --error 1e-5 --name bolt --out bolt.c",
+                "microslip export joint.json --to opensees --draws 100 \\",
+                "          --samples joint_samples.h5 --out draws"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

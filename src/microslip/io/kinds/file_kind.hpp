@@ -81,6 +81,8 @@ inline constexpr std::string_view kMarchKind = "a table of a march";            
 
 /// of slider_errors_table()
 inline constexpr std::string_view kSliderErrorsKind = "a table of errors of sliders";
+/// draws.csv of joints that were exported
+inline constexpr std::string_view kExportedDrawsKind = "a table of exported draws";
 /// Of a joint exported to a target: "a joint exported to calculix". Its text has the comment
 /// "microslip export: TARGET".
 [[nodiscard]] std::string export_kind(std::string_view target);

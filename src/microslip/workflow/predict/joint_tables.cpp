@@ -181,6 +181,11 @@ std::vector<double> loading_and_cycle(double amplitude, std::size_t points) {
 LoneJointDraws draws_of(const JointFile& file, const JointUncertainty& uncertain,
                         const DrawOptions& options) {
   options.check();
+  return draws_without_band(file, uncertain, options);
+}
+
+LoneJointDraws draws_without_band(const JointFile& file, const JointUncertainty& uncertain,
+                                  const DrawOptions& options) {
   JointDraws draws;
   std::string text;
   if (!uncertain.samples.empty()) {

@@ -51,6 +51,11 @@ struct LoneJointDraws {
 [[nodiscard]] LoneJointDraws draws_of(const JointFile& file, const JointUncertainty& uncertain,
                                       const DrawOptions& options);
 
+/// The same of draws that are handed on one by one and make no band: of any number.
+[[nodiscard]] LoneJointDraws draws_without_band(const JointFile& file,
+                                                const JointUncertainty& uncertain,
+                                                const DrawOptions& options);
+
 /// `linear_damping_left_out`: a loss of βA² whatever the frequency is known for harmonics alone,
 /// and is no force along a path. Nothing where the joint has none.
 /// @param file  of the joint.
