@@ -57,7 +57,7 @@ static void check_cancelled(void) {
   double amplitude[30];
   double dissipation[30];
   int i = 0;
-  int told = 0;
+  int calls = 0;
   microslip_levels* levels = NULL;
   microslip_identification* found = NULL;
   microslip_identify_options options;
@@ -70,9 +70,9 @@ static void check_cancelled(void) {
   options.stiffness = 1e5;
   options.bands = 20;
   options.progress = stop;
-  options.user = &told;
+  options.user = &calls;
   check(microslip_identify(levels, &options, &found) == MICROSLIP_CANCELLED, "cancelled");
-  check(found == NULL && told == 1, "told once, and nothing left");
+  check(found == NULL && calls == 1, "called once, and nothing left");
   microslip_levels_destroy(levels);
 }
 

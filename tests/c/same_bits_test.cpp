@@ -146,11 +146,11 @@ TEST(CJoint, OfFourParametersIsThatOfTheLibrary) {
     ASSERT_OK(microslip_virgin_force(joint, 1, &x, &force));
     EXPECT_EQ(force, expected.virgin_force(x));
   }
-  microslip_part told = defaults(microslip_part_defaults);
-  ASSERT_OK(microslip_joint_part(joint, 0, &told));
-  EXPECT_EQ(told.macroslip_force, 0.2);
-  EXPECT_EQ(told.chi, -0.5);
-  EXPECT_EQ(told.beta, 0.3);
+  microslip_part found = defaults(microslip_part_defaults);
+  ASSERT_OK(microslip_joint_part(joint, 0, &found));
+  EXPECT_EQ(found.macroslip_force, 0.2);
+  EXPECT_EQ(found.chi, -0.5);
+  EXPECT_EQ(found.beta, 0.3);
 }
 
 TEST(CJoint, WritesTheFileOfTheLibrary) {

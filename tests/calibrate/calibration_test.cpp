@@ -238,8 +238,8 @@ TEST(Calibration, SaysThatAJointThatHardlyMovesIsNotSeen) {
   ASSERT_NE(verdict, found.warnings.end());
   EXPECT_NE(verdict->text.find("foot"), std::string::npos) << verdict->text;
   EXPECT_EQ(std::ranges::count(found.warnings, "joint_not_seen", &Warning::code), 1);
-  EXPECT_LT(found.joints[1].loss_told, 3.0);
-  EXPECT_GT(found.joints[0].loss_told, 30.0);
+  EXPECT_LT(found.joints[1].loss_significance, 3.0);
+  EXPECT_GT(found.joints[0].loss_significance, 30.0);
 }
 
 // In the first mode the other joint moves by a twentieth of what it does in the second: at so small

@@ -111,8 +111,8 @@ TEST(calibrate, WritesAFolderThatPredicts) {
   for (const double residual : calibration.numbers("residual", kDimensionless)) {
     EXPECT_LT(std::abs(residual), 5.0);
   }
-  const CsvTable told(box.get("found/identifiability.csv"), "identifiability.csv");
-  EXPECT_GT(std::ranges::max(told.numbers("told", kDimensionless)), 0.9);
+  const CsvTable table(box.get("found/identifiability.csv"), "identifiability.csv");
+  EXPECT_GT(std::ranges::max(table.numbers("told", kDimensionless)), 0.9);
 
   const JointFile joint = parse_joint(box.get("found/joint2.json"), "joint2.json");
   EXPECT_EQ(joint.joint.stiffness(), 5e5);

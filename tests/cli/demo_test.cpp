@@ -130,7 +130,7 @@ void expect_readable(const std::string& path) {
 }
 
 /// The figure behind a name in the summary.
-double told(const std::string& summary, const std::string& name) {
+double figure_in(const std::string& summary, const std::string& name) {
   const auto at = summary.find("  " + name + " ");
   EXPECT_NE(at, std::string::npos) << name;
   if (at == std::string::npos) return std::nan("");
@@ -178,8 +178,8 @@ TEST(demo, RunsTheWholeChain) {
   ASSERT_NE(rig_report, std::string::npos) << summary;
   EXPECT_LT(rig_report, summary.find("  demo/brake_reuss_beam/report.html"));
   // What the chain must reach, in per cent; the truth is known.
-  EXPECT_LE(told(summary, "density error"), 5.0) << summary;
-  EXPECT_GE(told(summary, "95 % band          "), 90.0) << summary;
+  EXPECT_LE(figure_in(summary, "density error"), 5.0) << summary;
+  EXPECT_GE(figure_in(summary, "95 % band          "), 90.0) << summary;
   EXPECT_EQ(names_in(kRun).size(), names.size() + 1) << "files beside the folder";
 }
 

@@ -82,9 +82,9 @@ done
 
 # A wrong call is reported once, by rank 0, and ends all of them.
 status=0
-mpirun -n 3 "$ranks" ensemble nothing.toml --out r.h5 >told.log 2>&1 || status=$?
+mpirun -n 3 "$ranks" ensemble nothing.toml --out r.h5 >errors.log 2>&1 || status=$?
 [[ $status -eq 2 ]] || fail "a missing plan: status $status"
-[[ $(grep -c '^microslip: nothing.toml' told.log) -eq 1 ]] || fail "not told once: $(cat told.log)"
+[[ $(grep -c '^microslip: nothing.toml' errors.log) -eq 1 ]] || fail "not reported once: $(cat errors.log)"
 
 # A rank that reads other inputs is named. Each rank has a folder of its own here.
 for r in 0 1; do
@@ -94,7 +94,7 @@ done
 sed -i 's/frequency_std = \[0.01\]/frequency_std = [0.02]/' rank1/model.toml
 status=0
 mpirun -n 2 sh -c "cd rank\$OMPI_COMM_WORLD_RANK && exec $ranks ensemble plan.toml --out r.h5" \
-  >told.log 2>&1 || status=$?
-[[ $status -eq 2 ]] || fail "other inputs: status $status: $(cat told.log)"
-grep -q 'rank 1 on .*sha256 of model.toml' told.log || fail "not named: $(cat told.log)"
+  >errors.log 2>&1 || status=$?
+[[ $status -eq 2 ]] || fail "other inputs: status $status: $(cat errors.log)"
+grep -q 'rank 1 on .*sha256 of model.toml' errors.log || fail "not named: $(cat errors.log)"
 echo "ensemble_ranks: ${counts[*]} ranks and $kills kills gave the same bytes"

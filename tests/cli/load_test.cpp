@@ -175,7 +175,7 @@ TEST(load, OfAShockHasTheRequiredSpectrum) {
   }
 }
 
-// It is written, marked in the file, told with --quiet, and the status says it.
+// It is written, marked in the file, warned of with --quiet, and the status says it.
 TEST(load, MarksAShockThatMissesItsSpectrum) {
   const Sandbox box{
       {"model.toml", kMassOnTable},

@@ -556,23 +556,23 @@ TEST(FrequencyResponse, TellsItsProgressAndCanBeCancelled) {
     const HarmonicBalance balance(testing::one_mass(testing::iwan_joint()), {"mass"},
                                   {.accuracy = accuracy});
     for (const bool up : {true, false}) {
-      std::vector<std::size_t> told;
+      std::vector<std::size_t> reported;
       const Progress listen = [&](std::size_t done, std::size_t total) {
         EXPECT_EQ(total, 1000U);
-        told.push_back(done);
+        reported.push_back(done);
         return true;
       };
       const ResponseCurve curve = up ? balance.frequency_response(0.02, 0.8, 1.1, listen)
                                      : balance.constant_response(0.5, 1.1, 0.8, listen);
       EXPECT_TRUE(curve.summary.converged());
-      EXPECT_EQ(told.size(), curve.points.size() + 1);
-      EXPECT_TRUE(std::ranges::is_sorted(told));
-      EXPECT_EQ(told.front(), 0U);
-      EXPECT_EQ(told.back(), 1000U);
+      EXPECT_EQ(reported.size(), curve.points.size() + 1);
+      EXPECT_TRUE(std::ranges::is_sorted(reported));
+      EXPECT_EQ(reported.front(), 0U);
+      EXPECT_EQ(reported.back(), 1000U);
       if (accuracy > 0.0) continue;
       // Of the points of the steps the last alone is at the whole.
-      const auto whole = std::ranges::lower_bound(told, std::size_t{999});
-      EXPECT_LE(told.end() - whole, 2);
+      const auto whole = std::ranges::lower_bound(reported, std::size_t{999});
+      EXPECT_LE(reported.end() - whole, 2);
     }
   }
   const HarmonicBalance balance(testing::one_mass(testing::iwan_joint()), {"mass"});

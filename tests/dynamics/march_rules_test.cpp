@@ -122,16 +122,16 @@ TEST(MarchRecords, AreEveryNthAndTheLast) {
 
 TEST(MarchProgress, IsReportedAndMayCancel) {
   const JointedStructure structure = testing::one_mass(testing::iwan_joint());
-  std::vector<std::size_t> told;
+  std::vector<std::size_t> reported;
   const auto listen = [&](std::size_t done, std::size_t total) {
     EXPECT_EQ(total, 9999U);
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   };
   (void)march(structure, vibration(10000), {}, listen);
-  EXPECT_GE(told.size(), 3U);
-  EXPECT_TRUE(std::ranges::is_sorted(told));
-  EXPECT_EQ(told.back(), 9999U);
+  EXPECT_GE(reported.size(), 3U);
+  EXPECT_TRUE(std::ranges::is_sorted(reported));
+  EXPECT_EQ(reported.back(), 9999U);
   const auto stop = [](std::size_t, std::size_t) { return false; };
   EXPECT_THROW((void)march(structure, vibration(3000), {}, stop), Cancelled);
 }

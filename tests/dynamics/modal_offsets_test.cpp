@@ -27,28 +27,28 @@ JointedStructure free_of_joints() {
 TEST(ModalOffsets, ArriveAtTheStructureWithItsJoints) {
   const JointedStructure before = free_of_joints();
   const std::vector<double> wanted{0.004, -0.002, 0.006};
-  std::vector<StructureOffset> told;
-  for (std::size_t m = 0; m < wanted.size(); ++m) told.push_back({m, wanted[m], {6e5, 9e5}});
+  std::vector<StructureOffset> measured;
+  for (std::size_t m = 0; m < wanted.size(); ++m) measured.push_back({m, wanted[m], {6e5, 9e5}});
   const auto moved_by = [&](const ModalOffsets& found, std::size_t m) {
     const JointedStructure after = with_modal_offsets(before, found.offset);
     return std::log(after.stuck_frequencies()[m] / before.stuck_frequencies()[m]);
   };
-  const ModalOffsets all = modal_offsets(before, told, 0.0);
+  const ModalOffsets all = modal_offsets(before, measured, 0.0);
   for (std::size_t m = 0; m < wanted.size(); ++m) {
     EXPECT_NEAR(moved_by(all, m), wanted[m], 1e-9) << m;
     EXPECT_GT(std::abs(all.offset[m]), 1.1 * std::abs(wanted[m])) << m;  // the joints keep theirs
     EXPECT_NEAR(all.left[m], 0.0, 1e-9) << m;
   }
   // A measured mode leaves the others at their prior values, except for their part.
-  const ModalOffsets one = modal_offsets(before, {told.data(), 1}, 0.003);
+  const ModalOffsets one = modal_offsets(before, {measured.data(), 1}, 0.003);
   EXPECT_NEAR(moved_by(one, 0), 0.004, 1e-9);
   EXPECT_NEAR(one.offset[2], 0.003, 5e-4);
   EXPECT_GT(one.left[2], 0.9);
   // Derivative of an offset by the measured one: a finite difference.
-  told[1].offset += 1e-5;
-  const ModalOffsets more = modal_offsets(before, told, 0.0);
+  measured[1].offset += 1e-5;
+  const ModalOffsets more = modal_offsets(before, measured, 0.0);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    EXPECT_NEAR((more.offset[i] - all.offset[i]) / 1e-5, all.by_told[i][1], 1e-3) << i;
+    EXPECT_NEAR((more.offset[i] - all.offset[i]) / 1e-5, all.by_measured[i][1], 1e-3) << i;
   }
 }
 

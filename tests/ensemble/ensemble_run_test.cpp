@@ -129,9 +129,9 @@ TEST(Ensemble, TellsWhatAMergeLacks) {
   (void)campaign.run(asked);
   asked.shard.reset();
   asked.merge = true;
-  const std::string told = test::message_of<InputError>([&] { (void)campaign.run(asked); });
-  EXPECT_NE(told.find("60 of 120; must be all for a merge; 1 journal found"), std::string::npos)
-      << told;
+  const std::string refusal = test::message_of<InputError>([&] { (void)campaign.run(asked); });
+  EXPECT_NE(refusal.find("60 of 120; must be all for a merge; 1 journal found"), std::string::npos)
+      << refusal;
   asked.merge = false;
   EXPECT_EQ(campaign.run(asked).done_before, 60U);
   EXPECT_EQ(test::get(campaign.file("r.h5")), whole);
@@ -166,7 +166,7 @@ struct Change {
   std::string file;
   std::string old;
   std::string by;
-  std::string told;
+  std::string refusal;
 };
 
 TEST(Ensemble, RefusesToGoOnWithAChange) {
@@ -183,10 +183,10 @@ TEST(Ensemble, RefusesToGoOnWithAChange) {
     test::put(campaign.file(change.file),
               test::replaced(test::get(campaign.file(change.file)), change.old, change.by));
     const std::vector<std::string> before = campaign.names();
-    const std::string told =
+    const std::string refusal =
         test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
-    EXPECT_NE(told.find(change.told), std::string::npos) << told;
-    EXPECT_NE(told.find("remove the journal to start again"), std::string::npos) << told;
+    EXPECT_NE(refusal.find(change.refusal), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("remove the journal to start again"), std::string::npos) << refusal;
     EXPECT_EQ(campaign.names(), before);
   }
 }
@@ -222,8 +222,8 @@ draws = 40
   (void)campaign.run(asked);
   test::put(campaign.file("plan.toml"),
             test::replaced(plan, "[design]", "confidence = 0.5\n[design]"));
-  const std::string told = test::message_of<InputError>([&] { (void)campaign.run(asked); });
-  EXPECT_NE(told.find("confidence = 0.5, it was 0.95"), std::string::npos) << told;
+  const std::string refusal = test::message_of<InputError>([&] { (void)campaign.run(asked); });
+  EXPECT_NE(refusal.find("confidence = 0.5, it was 0.95"), std::string::npos) << refusal;
   test::put(campaign.file("plan.toml"),
             test::replaced(plan, "[design]", "confidence = 0.95\n[design]"));
   EXPECT_EQ(campaign.run(asked).done_now, 0U);
@@ -233,9 +233,10 @@ draws = 40
 TEST(Ensemble, RefusesBlocksThatAreTooSmall) {
   const Campaign campaign(test::replaced(test::replaced(kPlan, "block = 3", "block = 4"),
                                          "draws = 60", "draws = 400000000"));
-  const std::string told =
+  const std::string refusal =
       test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
-  EXPECT_NE(told.find("block = 4; must be 80 or more for 8e+08 jobs"), std::string::npos) << told;
+  EXPECT_NE(refusal.find("block = 4; must be 80 or more for 8e+08 jobs"), std::string::npos)
+      << refusal;
 }
 
 // ---- The numbers. ----
@@ -381,7 +382,8 @@ TEST(Ensemble, TellsOfANumberThatChangesNothing) {
 }
 
 TEST(Ensemble, RefusesANumberThatIsNotThere) {
-  for (const auto& [old, by, told] : std::vector<std::tuple<std::string, std::string, std::string>>{
+  for (const auto& [old, by, refusal] :
+       std::vector<std::tuple<std::string, std::string, std::string>>{
            {"structure.damping_ratio[0]", "structure.dampingratio[0]",
             "must be the path of a number"},
            {"joint: stiffness", "bolt: stiffness", "must name a joint of the model"},
@@ -392,10 +394,10 @@ TEST(Ensemble, RefusesANumberThatIsNotThere) {
             "kind = \"frf\"\nforce_N = 0.02\nfrequency_Hz = [0.1, 0.2]\nharmonics = 1\nsamples = 5",
             ""}}) {
     const Campaign campaign(test::replaced(kSweepPlan, old, by));
-    if (told.empty()) continue;
+    if (refusal.empty()) continue;
     const std::string found =
         test::message_of<Error>([&] { (void)campaign.run(campaign.asked()); });
-    EXPECT_NE(found.find(told), std::string::npos) << found;
+    EXPECT_NE(found.find(refusal), std::string::npos) << found;
   }
 }
 
@@ -421,8 +423,9 @@ TEST(Ensemble, KeepsFailedJobsWithTheirReason) {
   const std::string before = test::get(campaign.file("r.h5"));
   test::put(campaign.file("plan.toml"), "most_failed = 0.1\n" + plan);
   const EnsembleRun again = campaign.asked();
-  const std::string told = test::message_of<NothingFound>([&] { (void)campaign.run(again); });
-  EXPECT_NE(told.find("of 6 jobs failed, more than most_failed = 0.1"), std::string::npos) << told;
+  const std::string refusal = test::message_of<NothingFound>([&] { (void)campaign.run(again); });
+  EXPECT_NE(refusal.find("of 6 jobs failed, more than most_failed = 0.1"), std::string::npos)
+      << refusal;
   EXPECT_EQ(test::get(campaign.file("r.h5")), before);
   test::put(campaign.file("plan.toml"), "most_failed = 0.5\n" + plan);
   EXPECT_GT(campaign.run(again).done_before, 0U);
@@ -430,10 +433,10 @@ TEST(Ensemble, KeepsFailedJobsWithTheirReason) {
 
 TEST(Ensemble, RefusesAnOutputThatIsNotThere) {
   const Campaign campaign(test::replaced(kPlan, "peak_frequency", "peak_freqency"));
-  const std::string told =
+  const std::string refusal =
       test::message_of<InputError>([&] { (void)campaign.run(campaign.asked()); });
-  EXPECT_NE(told.find("raw[0] = 'peak_freqency'; must be '*' or one of"), std::string::npos)
-      << told;
+  EXPECT_NE(refusal.find("raw[0] = 'peak_freqency'; must be '*' or one of"), std::string::npos)
+      << refusal;
 }
 
 // A mass of 1 kg that its base shakes by a feels −1 kg·a in the relative motion: case for case the
@@ -469,11 +472,11 @@ TEST(Ensemble, TakesAccelerationsOfABase) {
   }
   EXPECT_EQ(test::get(forced.file("r.h5.csv")).find("absolute"), std::string::npos);
   test::put(shaken.file("plan.toml"), plan("force_N = 0.02"));
-  const std::string told =
+  const std::string refusal =
       test::message_of<InputError>([&] { (void)shaken.run(shaken.asked("other.h5")); });
-  EXPECT_NE(told.find("force_N = 0.02; must be left out: the model is driven by its base"),
+  EXPECT_NE(refusal.find("force_N = 0.02; must be left out: the model is driven by its base"),
             std::string::npos)
-      << told;
+      << refusal;
 }
 
 TEST(EnsembleShard, IsANumberOfACount) {

@@ -202,9 +202,9 @@ TEST(DesignJobs, RefuseAmplitudesWithoutLoss) {
   const Inputs inputs(kDesign);
   test::put(inputs.file("joint.json"),
             format_joint({Joint(kStiffness, SlipDensity({UniformPart{20.0, 30.0, 1.0}})), {}, {}}));
-  const std::string told = test::message_of<InputError>([&] { (void)inputs.jobs(); });
-  EXPECT_NE(told.find("must be an amplitude at which the joint dissipates"), std::string::npos)
-      << told;
+  const std::string refusal = test::message_of<InputError>([&] { (void)inputs.jobs(); });
+  EXPECT_NE(refusal.find("must be an amplitude at which the joint dissipates"), std::string::npos)
+      << refusal;
 }
 
 }  // namespace

@@ -101,18 +101,18 @@ TEST(RigTests, LookAtTheirSensorsAlone) {
 
 TEST(RigTests, RefuseWhatCannotBe) {
   const Inputs inputs;
-  const auto told = [&](const std::string& old, const std::string& by) {
+  const auto refusal = [&](const std::string& old, const std::string& by) {
     return test::message_of<Error>([&] { (void)inputs.jobs(test::replaced(kPlan, old, by)); });
   };
-  EXPECT_NE(told("[\"acc1\"]]", "[\"acc9\"]]").find("must be one of acc1, acc2, acc3, ldv"),
+  EXPECT_NE(refusal("[\"acc1\"]]", "[\"acc9\"]]").find("must be one of acc1, acc2, acc3, ldv"),
             std::string::npos);
-  EXPECT_NE(told("[\"acc1\"]]", "[\"ldv\"]]").find("design.sensors[1]: accelerometer"),
+  EXPECT_NE(refusal("[\"acc1\"]]", "[\"ldv\"]]").find("design.sensors[1]: accelerometer"),
             std::string::npos);
   inputs.change_rig("[noise]", "[unheard]");
-  EXPECT_NE(told("count = 5", "count = 6").find("unheard"), std::string::npos);
+  EXPECT_NE(refusal("count = 5", "count = 6").find("unheard"), std::string::npos);
   inputs.change_rig("joint = \"joint.json\"", "");
   inputs.change_rig("[unheard]", "[noise]");
-  EXPECT_NE(told("count = 5", "count = 6").find("must name the file of the true joint"),
+  EXPECT_NE(refusal("count = 5", "count = 6").find("must name the file of the true joint"),
             std::string::npos);
 }
 

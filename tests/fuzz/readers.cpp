@@ -349,7 +349,7 @@ void read_words(const std::string& text, MemoryFile& /*file*/) {
     require(std::isfinite(parse_quantity("`amplitude`", text, kLength)), "a finite quantity");
   });
   attempt([&] { (void)parse_whole_number("`count`", text, 1, 100); });
-  attempt([&] { (void)parse_way("`frequency`", text, kFrequency); });
+  attempt([&] { (void)parse_ends("`frequency`", text, kFrequency); });
   attempt([&] { require(is_finite(parse_values("`v`", text, kLength)), "finite values"); });
 }
 

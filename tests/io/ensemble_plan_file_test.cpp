@@ -106,20 +106,20 @@ TEST(EnsemblePlan, ReadsDesignsOfARig) {
   EXPECT_EQ(plan.sensor_noise, std::vector<double>{1.0});
   ASSERT_EQ(plan.sensors.size(), 2U);
   EXPECT_EQ(plan.sensors[0], (std::vector<std::string>{"acc1", "ldv"}));
-  for (const auto& [by, told] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& [by, refusal] : std::vector<std::pair<std::string, std::string>>{
            {"count = 5\njoint = \"j.json\"", "one of the keys joint and rig"},
            {"count = 5\nnoise = [0.1]", "unknown key 'noise'"},
            {"count = 5\nsensor_noise = [-1]", "sensor_noise[0] = -1"}}) {
-    EXPECT_NE(message(test::replaced(kRigDesign, "count = 5", by)).find(told), std::string::npos)
+    EXPECT_NE(message(test::replaced(kRigDesign, "count = 5", by)).find(refusal), std::string::npos)
         << by;
   }
-  for (const auto& [by, told] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& [by, refusal] : std::vector<std::pair<std::string, std::string>>{
            {"[\"acc1\"]", "must be an array of arrays"},
            {"[]", "must have at least one choice"},
            {"[[\"a\"], [\"a\"]]", "sensors[1] = [a]; must differ"},
            {"[[1]]", "sensors[0][0]"}}) {
     const std::string text = test::replaced(kRigDesign, "[[\"acc1\", \"ldv\"], [\"acc1\"]]", by);
-    EXPECT_NE(message(text).find(told), std::string::npos) << message(text);
+    EXPECT_NE(message(text).find(refusal), std::string::npos) << message(text);
   }
 }
 
@@ -168,7 +168,7 @@ struct Wrong {
   std::string plan;
   std::string old;
   std::string by;
-  std::string told;
+  std::string refusal;
 };
 
 // A wrong value: place, value and rule.
@@ -217,13 +217,13 @@ TEST(EnsemblePlan, NamesAWrongValue) {
   for (const Wrong& wrong : all) {
     std::string text = test::replaced(wrong.plan, wrong.old, wrong.by);
     // A grid that is too large has two long axes.
-    if (wrong.told.starts_with("a grid")) {
+    if (wrong.refusal.starts_with("a grid")) {
       text = test::replaced(text, "values = [0.1, 0.2]",
                             "values = { from = 1, to = 2, count = 1000000 }");
       EXPECT_NE(message(text).find("a grid of 6e+11 points"), std::string::npos) << message(text);
       continue;
     }
-    EXPECT_NE(message(text).find(wrong.told), std::string::npos)
+    EXPECT_NE(message(text).find(wrong.refusal), std::string::npos)
         << wrong.by << ": " << message(text);
   }
 }

@@ -67,13 +67,13 @@ int run(const std::string& what, const std::string& number) {
          for (;;) pause();
        }},
       {"tell",
-       [](const Progress& told) {
-         for (;;) (void)told(1, 2);
+       [](const Progress& reported) {
+         for (;;) (void)reported(1, 2);
        }},
       {"tell twice",
-       [](const Progress& told) {
-         (void)told(1, 2);
-         (void)told(2, 2);
+       [](const Progress& reported) {
+         (void)reported(1, 2);
+         (void)reported(2, 2);
        }},
       {"take memory", [](const Progress&) { take_memory(); }},
       {"print", [](const Progress&) { print(); }},

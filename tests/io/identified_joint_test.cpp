@@ -143,7 +143,8 @@ TEST(IdentifiedJoint, HasEachMemberInItsPlace) {
   EXPECT_TRUE(found.records[1].verdicts.empty());
   EXPECT_EQ(found.tables.at(0).verdicts.at(0).noise, 0.2);
   const IdentifiedJoint calibrated = identified_joint_of(joint_file_of(of_calibration(), {}), "");
-  EXPECT_EQ(calibrated.by_calibration.value().told, (std::vector<double>{0.1, 0.9, 0.2}));
+  EXPECT_EQ(calibrated.by_calibration.value().variance_reduction,
+            (std::vector<double>{0.1, 0.9, 0.2}));
 }
 
 // Joints of others and of earlier versions say little or nothing.

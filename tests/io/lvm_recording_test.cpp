@@ -200,7 +200,7 @@ TEST_F(LvmFiles, JoinSectionsOfAnySize) {
     }
     const Recordings apart = this->read(head + section(0, 2) + section(3, 4));
     EXPECT_EQ(apart.recordings.at(0).size(), 2U);
-    EXPECT_TRUE(has_warning(apart, "sampling_rate_missing")) << "its one value is told";
+    EXPECT_TRUE(has_warning(apart, "sampling_rate_missing")) << "its one value is given";
   }
 }
 

@@ -114,14 +114,14 @@ TEST_F(ReadingProcessTest, CanBeCancelled) {
 }
 
 TEST_F(ReadingProcessTest, TellsTheProgress) {
-  std::vector<std::size_t> told;
+  std::vector<std::size_t> reported;
   (void)run("tell twice", "", [&](std::size_t done, std::size_t total) {
-    if (total == 2) told.push_back(done);
+    if (total == 2) reported.push_back(done);
     return true;
   });
-  ASSERT_GE(told.size(), 2U);
-  EXPECT_EQ(told.front(), 1U);
-  EXPECT_EQ(told.back(), 2U);
+  ASSERT_GE(reported.size(), 2U);
+  EXPECT_EQ(reported.front(), 1U);
+  EXPECT_EQ(reported.back(), 2U);
 }
 
 TEST_F(ReadingProcessTest, PrintsNothing) {

@@ -211,16 +211,16 @@ TEST(RecordingCsv, ReadsLongFilesInPieces) {
 TEST(RecordingCsv, ReportsBytesAndCanBeStopped) {
   std::string text = "time [s],a [N]\n";
   for (int i = 0; text.size() < 3'000'000; ++i) text += std::to_string(i) + ",0.5\n";
-  std::vector<std::size_t> told;
+  std::vector<std::size_t> reported;
   const auto listen = [&](std::size_t done, std::size_t total) {
     EXPECT_EQ(total, text.size());
-    told.push_back(done);
+    reported.push_back(done);
     return true;
   };
   (void)read(text, {.progress = listen});
-  EXPECT_GE(told.size(), 3U);
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_EQ(told.back(), text.size());
+  EXPECT_GE(reported.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_EQ(reported.back(), text.size());
   EXPECT_THROW((void)read(text, {.progress = [](std::size_t, std::size_t) { return false; }}),
                Cancelled);
 }

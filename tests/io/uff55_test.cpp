@@ -58,7 +58,7 @@ TEST(Uff55, TellsDampingAndMassOnlyWhereTheyAre) {
   EXPECT_EQ(shape.loss_factor, std::nullopt);
 }
 
-// Each in the units that were told last; those of one file do not reach into another behind it.
+// Each in the units that were given last; those of one file do not reach into another behind it.
 TEST(Uff55, HasTheUnitsOfDataset164) {
   const std::string shape = shape_text(kNormalForm, "");
   const std::string header =

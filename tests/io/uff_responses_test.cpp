@@ -53,7 +53,7 @@ TEST(UffResponses, AreAlongPositiveDirections) {
       3.0);
 }
 
-// Without labels a unit is that of the data type in dataset 164, of mm and N, or as told.
+// Without labels a unit is that of the data type in dataset 164, of mm and N, or as given.
 TEST(UffResponses, TakeUnitsOfLabelsOrOfTheSystem) {
   const std::string bare = dataset({.units = {"", "", ""}, .force_unit = ""});
   EXPECT_DOUBLE_EQ(read(test::units_dataset(1000.0, 1.0) + bare).responses[0].values[2].real(),

@@ -84,9 +84,9 @@ TEST(TestedModes, TakeTheUnitsOfTheFile) {
         read_shapes(test::units_dataset(metre, newton) + scaled_shapes(chain, metre / newton)), {});
     expect_shapes(along_z(tested), chain, kDigits);
   }
-  TestedStructure told = read_shapes(scaled_shapes(chain, 1000.0));
-  told.units = UnitSystem{.length = 1e-3};
-  expect_shapes(along_z(modes_of_shapes(told, {})), chain, kDigits);
+  TestedStructure scaled = read_shapes(scaled_shapes(chain, 1000.0));
+  scaled.units = UnitSystem{.length = 1e-3};
+  expect_shapes(along_z(modes_of_shapes(scaled, {})), chain, kDigits);
 }
 
 // Modal masses of the key stand in place of those of the file, which has 0: they are kg.

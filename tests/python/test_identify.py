@@ -150,9 +150,9 @@ TABLE = {"amplitude [m]": AMPLITUDE, "dissipation [J]": 100 * AMPLITUDE**2}
 
 def test_tables_say_what_files_say():
     turns = np.where(AMPLITUDE < 3e-6, 4, 2)
-    told = {**TABLE, "reversals [1]": turns, "flags": ["", "noisy"] * 10, "assembly": ["a"] * 20}
+    described = {**TABLE, "reversals [1]": turns, "flags": ["", "noisy"] * 10, "assembly": ["a"] * 20}
     with pytest.warns(microslip.MicroslipWarning) as warned:
-        levels = microslip.Levels.of(told)
+        levels = microslip.Levels.of(described)
     assert np.array_equal(levels.amplitude, AMPLITUDE[turns == 2])
     texts = [str(warning.message) for warning in warned]
     assert texts[1].startswith("levels_left_out: 5 of 20 levels have inner reversals")

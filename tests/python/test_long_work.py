@@ -25,11 +25,11 @@ def dissipation():
 
 
 def test_listener_is_called_and_may_cancel(dissipation):
-    told = []
+    reported = []
     microslip.identify(A, dissipation, stiffness=1e5, samples=4_000,
-                       progress=lambda done, total: told.append((done, total)))  # fmt: skip
-    assert told and all(0 <= done <= total == 4_000 for done, total in told)
-    assert [done for done, _ in told] == sorted(done for done, _ in told)
+                       progress=lambda done, total: reported.append((done, total)))  # fmt: skip
+    assert reported and all(0 <= done <= total == 4_000 for done, total in reported)
+    assert [done for done, _ in reported] == sorted(done for done, _ in reported)
     with pytest.raises(microslip.Cancelled):
         microslip.identify(A, dissipation, stiffness=1e5, samples=200_000,
                            progress=lambda done, total: False)  # fmt: skip

@@ -45,13 +45,13 @@ ExperimentResults sample_results() {
                         .density = {0.1, 0.2, 0.3, 0.2, 0.1},
                         .lower = {0, 0.1, 0.2, 0.1, 0},
                         .upper = {0.2, 0.3, 0.4, 0.3, 0.2},
-                        .told = {0.1, 0.9, 0.9, 0.9, 0.2}},
+                        .variance_reduction = {0.1, 0.9, 0.9, 0.9, 0.2}},
                        {.name = "middle",
                         .slip_force = {0, 4, 8},
                         .density = {0.1, 0.1, 0.1},
                         .lower = {0.05, 0.05, 0.05},
                         .upper = {0.2, 0.2, 0.2},
-                        .told = {1, 1, 1}}};
+                        .variance_reduction = {1, 1, 1}}};
   return results;
 }
 

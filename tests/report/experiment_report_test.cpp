@@ -693,8 +693,10 @@ ExperimentResults contradicted_results() {
                          .pairs = {{.first = "lap", .second = "other"}},
                          .warnings = {{"left_out_contradicts", "friday contradicts the others."}}};
   for (const char* joint : {"lap", "other"}) {
-    results.densities.push_back(
-        {.name = joint, .slip_force = {0.0, 2.0}, .density = {0.1, 0.1}, .told = {1.0, 1.0}});
+    results.densities.push_back({.name = joint,
+                                 .slip_force = {0.0, 2.0},
+                                 .density = {0.1, 0.1},
+                                 .variance_reduction = {1.0, 1.0}});
   }
   results.comparison = compared_sweep();
   results.comparison->warnings.insert(results.comparison->warnings.begin(),

@@ -266,7 +266,7 @@ TEST(CampaignSessions, GiveEachModeItsOffset) {
     EXPECT_NEAR(offset, 0.004, 1e-12);
     EXPECT_NEAR(sigma, std::sqrt(1e-6 * (1.0 + 1.0 / 3.0)), 1e-9);
   }
-  EXPECT_FALSE(effects.told_offset("2", 4).has_value());
+  EXPECT_FALSE(effects.determined_offset("2", 4).has_value());
   EXPECT_NEAR(effects.frequency_std, std::sqrt((2.0 * 1e-6 + 2.0 * 4e-6) / 6.0 + 1e-10), 1e-9);
   EXPECT_NEAR(effects.frequency_std_of(1), std::sqrt(1e-6 + 1e-10), 1e-9);
   EXPECT_NEAR(effects.frequency_std_of(2), std::sqrt(4e-6 + 1e-10), 1e-9);

@@ -49,11 +49,11 @@ TEST(EnsembleCurves, HaveNoneOfASweep) {
 TEST(EnsembleCurves, NameACellThatIsNoNumber) {
   std::string text = kEnsemble;
   text.replace(text.find(",2,3,4\n"), 7, ",x,3,4\n");
-  const std::string told = test::message_of<FormatError>([&] {
+  const std::string refusal = test::message_of<FormatError>([&] {
     (void)ensemble_curves({text, "e.csv"});
   });
-  EXPECT_NE(told.find("e.csv:3"), std::string::npos) << told;
-  EXPECT_NE(told.find("a number, or nothing"), std::string::npos) << told;
+  EXPECT_NE(refusal.find("e.csv:3"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("a number, or nothing"), std::string::npos) << refusal;
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ TEST(QuantityText, NumbersWithAndWithoutUnits) {
 // The longer of the two was found by scripts/fuzz: the message held all of a text of thousands of
 // bytes.
 TEST(QuantityText, ADecimalCommaIsToldWithWhatToWrite) {
-  const auto told = [](const std::string& text) {
+  const auto refusal = [](const std::string& text) {
     return test::message_of<InputError>([&] { (void)parse_quantity("x", text, kLength); });
   };
-  EXPECT_EQ(told("1,5 mm"), "x = '1,5 mm'; must have a decimal point. Write 1.5 mm.");
-  EXPECT_EQ(told("1,5" + std::string(1000, 'm')),
+  EXPECT_EQ(refusal("1,5 mm"), "x = '1,5 mm'; must have a decimal point. Write 1.5 mm.");
+  EXPECT_EQ(refusal("1,5" + std::string(1000, 'm')),
             "x = '1,5" + std::string(37, 'm') +
                 "…' (1003 bytes); must have a decimal point. Write a decimal point instead of the "
                 "comma.");

@@ -68,7 +68,7 @@ double parse_force(std::string_view option, std::string_view text) {
 }
 
 std::pair<double, double> parse_frequencies(std::string_view option, std::string_view text) {
-  const auto [from, to] = parse_way(option, text, kFrequency);
+  const auto [from, to] = parse_ends(option, text, kFrequency);
   for (const auto& [end, value] : {std::pair{"FROM", from}, std::pair{"TO", to}}) {
     const std::string name = fmt::format("{} of {}", end, option);
     if (!(value > 0.0)) throw InputError(name, value, "must be above 0 Hz");

@@ -170,8 +170,8 @@ int run(const LoadOptions& options, const Call& call) {
   const ModelFile model = read_model(options.model, JointsToFind::kAllowed);
   const Dimension unit = model.structure.base_driven() ? kAcceleration : kForce;
   const LoadPlan plan = plan_of(options, shape, unit);
-  const MadeLoad load =
-      make_load(model.structure, plan, progress_bar("spectrum of the shock", call.quiet));
+  const SynthesisedLoad load =
+      synthesise_load(model.structure, plan, progress_bar("spectrum of the shock", call.quiet));
   std::string heading = heading_of(call.command_line);
   const std::string comment = load_comment(plan, load);
   if (!comment.empty()) heading += '\n' + comment;

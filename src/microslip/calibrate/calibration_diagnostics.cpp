@@ -113,15 +113,15 @@ void warn_of_groups(const CalibrationResult& result, std::vector<Warning>& warni
 void warn_of_unseen(const CalibrationResult& result, std::vector<Warning>& warnings) {
   for (std::size_t j = 0; j < result.joints.size(); ++j) {
     const CalibratedJoint& joint = result.joints[j];
-    const double most = std::ranges::max(joint.told);
+    const double most = std::ranges::max(joint.variance_reduction);
     if (known_only_together(result, j)) continue;  // has a warning of its own
-    if (joint.loss_told < kLeastLossRatio) {
+    if (joint.loss_significance < kLeastLossRatio) {
       warnings.push_back(
           {"joint_not_seen",
            fmt::format("the loss of {} is not distinguishable from 0: it is {:.2g} times its "
                        "standard deviation at best, over all levels. Only the upper end of its "
                        "density's band is informative. Measure a mode that exercises it.",
-                       joint.name, joint.loss_told)});
+                       joint.name, joint.loss_significance)});
     } else if (most < kLeastReduction) {
       warnings.push_back({"joint_not_seen",
                           fmt::format("the levels hardly determine {}: variance reduction of its "

@@ -71,7 +71,7 @@ class Spread {
 };
 
 /// 1 − var(ψ | levels)/var(ψ), at the knots of each joint.
-void read_told(const CalibrationDraws& draws, CalibrationResult& result) {
+void read_variance_reduction(const CalibrationDraws& draws, CalibrationResult& result) {
   for (std::size_t j = 0; j < draws.unknowns.count(); ++j) {
     const Eigen::MatrixXd& density = draws.unknowns.of(j).density_matrix();
     const auto variance_of = [&](const std::vector<Eigen::VectorXd>& all) {
@@ -83,7 +83,7 @@ void read_told(const CalibrationDraws& draws, CalibrationResult& result) {
     const Eigen::VectorXd posterior = variance_of(draws.posterior);
     for (Eigen::Index i = 0; i < prior.size(); ++i) {
       const double share = prior(i) > 0.0 ? 1.0 - posterior(i) / prior(i) : 0.0;
-      result.joints[j].told.push_back(std::clamp(share, 0.0, 1.0));
+      result.joints[j].variance_reduction.push_back(std::clamp(share, 0.0, 1.0));
     }
   }
 }
@@ -359,14 +359,15 @@ void read_groups(const std::vector<std::vector<std::vector<double>>>& losses,
 
 /// The loss of each joint over its standard deviation, where that is largest.
 /// @param losses  [level][joint][draw].
-void read_loss_told(const std::vector<std::vector<std::vector<double>>>& losses,
-                    CalibrationResult& result) {
+void read_loss_significance(const std::vector<std::vector<std::vector<double>>>& losses,
+                            CalibrationResult& result) {
   for (std::size_t i = 0; i < losses.size(); ++i) {
     if (!result.levels[i].found) continue;
     for (std::size_t j = 0; j < result.joints.size(); ++j) {
       const Moments m = moments_of(losses[i][j], losses[i][j]);
       if (!(m.first > 0.0)) continue;
-      result.joints[j].loss_told = std::max(result.joints[j].loss_told, m.mean_first / m.first);
+      result.joints[j].loss_significance =
+          std::max(result.joints[j].loss_significance, m.mean_first / m.first);
     }
   }
 }
@@ -587,7 +588,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
   result.edf = state.settled.edf;
   read_joints(evidence, options, state, draws, joints, states, result);
   read_edges(range, result);
-  read_told(draws, result);
+  read_variance_reduction(draws, result);
   std::vector<std::vector<std::vector<double>>> losses;
   for (const std::size_t level : all) {
     losses.push_back(losses_of_draws(evidence, draws, states, level));
@@ -601,7 +602,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
     result.levels.push_back(read_level(evidence, draws.unknowns, banded, options, states, level));
   }
   read_pairs(losses, result);
-  read_loss_told(losses, result);
+  read_loss_significance(losses, result);
   if (result.joints.size() > 2) read_groups(losses, result);
   read_offsets(evidence, states, result);
   read_found_modes(evidence, draws, states, result);

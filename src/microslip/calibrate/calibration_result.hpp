@@ -30,10 +30,10 @@ struct CalibratedJoint {
   DensityBand band = {};                       ///< of φ at f* = k x*, 1/N
   /// Variance reduction: share of the prior's variance of ψ that the levels remove, at the knots,
   /// 1: 0 where they do not determine this joint, 1 where they determine it fully.
-  std::vector<double> told = {};
+  std::vector<double> variance_reduction = {};
   /// Its loss over the standard deviation of that over the draws, 1, at the level where it is
   /// largest.
-  double loss_told = 0.0;
+  double loss_significance = 0.0;
   Estimate stiffness = {};              ///< k, N/m
   Estimate elastic_stiffness = {};      ///< K_e, N/m: the part that does not slip within the levels
   std::vector<DensityEdge> edges = {};  ///< rising; those of the draws vary by their uncertainty

@@ -26,7 +26,7 @@ constexpr std::size_t kLookAhead = 2;
 constexpr Eigen::Index kLeastLevels = 2;
 /// Spacings of the knots: an edge whose place is known no better may be where a density bends, or
 /// falls fast.
-constexpr double kToldFromABend = 0.3;
+constexpr double kLargestDeviation = 0.3;
 /// Factor by which an edge may increase the smoothing.
 constexpr double kMuchMore = 1e3;
 
@@ -146,7 +146,7 @@ EdgedFit JointEdges::distinguished_from_bends(EdgedFit found) {
   while (!found.edges.empty()) {
     const std::vector<double> deviations = one.deviations(found);
     const auto vaguest = std::ranges::max_element(deviations);
-    if (*vaguest <= kToldFromABend) break;
+    if (*vaguest <= kLargestDeviation) break;
     std::vector<BasisEdge> others = found.edges;
     others.erase(others.begin() + (vaguest - deviations.begin()));
     found = one.renewed(fit(std::move(others), 0.0, found, false));

@@ -365,7 +365,7 @@ void centre_modes(const CalibrationEvidence& evidence, const ModeUnknowns& modes
     rows.data(of_mode) = data - offset * offset.dot(data);
     rows.freedom_taken += 1.0;
     const std::size_t level = raw[first].level;
-    if (modes.told.empty() || !modes.told[levels.mode[level]]) continue;
+    if (modes.determined.empty() || !modes.determined[levels.mode[level]]) continue;
     if (!of_first_session(levels, level)) continue;
     common.emplace_back(offset.transpose() * design / size);
     common_data.push_back(offset.dot(data) / size);

@@ -18,51 +18,53 @@ constexpr double kLeastOfModes = 0.1;
 constexpr std::size_t kFewestOfScatter = 3;
 
 /// A mode as its levels show it.
-struct ToldMode {
+struct MeasuredMode {
   StructureOffset mean;
   double scatter = 0.0;  ///< of its levels about the offset, rms
 };
 
-ToldMode told_mode(std::size_t mode, const std::vector<const LevelOffset*>& levels) {
+MeasuredMode measured_mode(std::size_t mode, const std::vector<const LevelOffset*>& levels) {
   const auto n = static_cast<double>(levels.size());
-  ToldMode told{
+  MeasuredMode measured{
       {.mode = mode,
        .joint_stiffness = std::vector<double>(levels.front()->joint_stiffness.size(), 0.0)}};
   for (const LevelOffset* level : levels) {
-    told.mean.offset += level->offset / n;
+    measured.mean.offset += level->offset / n;
     for (std::size_t j = 0; j < level->joint_stiffness.size(); ++j) {
-      told.mean.joint_stiffness[j] += level->joint_stiffness[j] / n;
+      measured.mean.joint_stiffness[j] += level->joint_stiffness[j] / n;
     }
   }
   double squares = 0.0;
-  for (const LevelOffset* level : levels) squares += std::pow(level->offset - told.mean.offset, 2);
-  told.scatter = std::sqrt(squares / n);
-  return told;
+  for (const LevelOffset* level : levels)
+    squares += std::pow(level->offset - measured.mean.offset, 2);
+  measured.scatter = std::sqrt(squares / n);
+  return measured;
 }
 
-std::vector<ToldMode> told_modes(const JointedStructure& structure,
-                                 const std::vector<LevelOffset>& levels) {
-  std::vector<ToldMode> all;
+std::vector<MeasuredMode> measured_modes(const JointedStructure& structure,
+                                         const std::vector<LevelOffset>& levels) {
+  std::vector<MeasuredMode> all;
   for (std::size_t mode = 0; mode < structure.linear().vibrations(); ++mode) {
     std::vector<const LevelOffset*> own;
     for (const LevelOffset& level : levels) {
       if (level.mode == mode) own.push_back(&level);
     }
     if (own.empty()) continue;
-    ToldMode told = told_mode(mode, own);
-    if (share_of_modes(structure, told.mean) >= kLeastOfModes) all.push_back(std::move(told));
+    MeasuredMode measured = measured_mode(mode, own);
+    if (share_of_modes(structure, measured.mean) >= kLeastOfModes)
+      all.push_back(std::move(measured));
   }
   return all;
 }
 
-/// Of the modes that tell none: the mean of the others, and its standard deviation.
-std::pair<double, double> offset_of_others(const std::vector<double>& told) {
-  const auto n = static_cast<double>(told.size());
+/// Of the modes whose offset is not determined: the mean of the others, and its standard deviation.
+std::pair<double, double> offset_of_others(const std::vector<double>& offsets) {
+  const auto n = static_cast<double>(offsets.size());
   double mean = 0.0;
-  for (const double one : told) mean += one / n;
+  for (const double one : offsets) mean += one / n;
   double squares = 0.0;
-  for (const double one : told) squares += std::pow(one - mean, 2);
-  if (told.size() < kFewestOfScatter) return {mean, std::sqrt(mean * mean + squares / n)};
+  for (const double one : offsets) squares += std::pow(one - mean, 2);
+  if (offsets.size() < kFewestOfScatter) return {mean, std::sqrt(mean * mean + squares / n)};
   return {mean, std::sqrt(squares / (n - 1.0) * (1.0 + 1.0 / n))};
 }
 
@@ -79,11 +81,11 @@ ModeUnknowns mode_unknowns(const JointedStructure& structure,
   std::vector<StructureOffset> measured;
   std::vector<double> offsets;
   const std::size_t modes = structure.linear().size();
-  ModeUnknowns unknowns{.told = std::vector<bool>(modes, false)};
-  for (const ToldMode& one : told_modes(structure, levels)) {
+  ModeUnknowns unknowns{.determined = std::vector<bool>(modes, false)};
+  for (const MeasuredMode& one : measured_modes(structure, levels)) {
     const VibrationShares shares = vibration_shares(structure, one.mean);
     if (shares.without_joints() < kLeastOfModes) continue;
-    unknowns.told[one.mean.mode] = true;
+    unknowns.determined[one.mean.mode] = true;
     measured.push_back(one.mean);
     offsets.push_back(one.mean.offset / (alike ? shares.without_joints() : shares.of_modes()));
   }
@@ -131,11 +133,11 @@ Eigen::VectorXd offset_coefficients(const ModeUnknowns& modes, const LevelStates
 }
 
 FoundModes found_modes(const JointedStructure& structure, const std::vector<LevelOffset>& levels) {
-  const std::vector<ToldMode> told = told_modes(structure, levels);
-  if (told.empty()) return {};
+  const std::vector<MeasuredMode> modes = measured_modes(structure, levels);
+  if (modes.empty()) return {};
   std::vector<StructureOffset> measured;
   std::vector<double> means;
-  for (const ToldMode& one : told) {
+  for (const MeasuredMode& one : modes) {
     measured.push_back(one.mean);
     means.push_back(one.mean.offset);
   }
@@ -144,8 +146,8 @@ FoundModes found_modes(const JointedStructure& structure, const std::vector<Leve
   FoundModes all{.offset = offsets.offset};
   for (std::size_t i = 0; i < offsets.offset.size(); ++i) {
     double variance = offsets.left[i] * others_std * others_std;
-    for (std::size_t m = 0; m < told.size(); ++m) {
-      variance += std::pow(offsets.by_told[i][m] * told[m].scatter, 2);
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      variance += std::pow(offsets.by_measured[i][m] * modes[m].scatter, 2);
     }
     all.deviation.push_back(std::sqrt(variance));
   }

@@ -48,8 +48,8 @@ enum class ModesOff { kWithSpringsAsGiven, kAllAlike };
 
 /// The offsets of the modes without joints with which each measured mode is off as its levels are
 /// on the mean, at the mean stiffness of the joints: see modal_offsets(). Modes of which nine
-/// tenths of the stiffness are those of joints tell none. Modes that are not determined have the
-/// mean of the n offsets that are told, with s√(1 + 1/n), s their scatter, or of one or two their
+/// tenths of the stiffness are those of joints determine none. Modes that are not determined have
+/// the mean of the n offsets that are, with s√(1 + 1/n), s their scatter, or of one or two their
 /// rms; those that are what their levels scatter by about their offset, rms. Nothing of no level.
 /// @param structure  as it was given, with the joints found.
 /// @param levels     that count.

@@ -23,7 +23,7 @@ struct ModeUnknowns {
   std::vector<double> unit = {};  ///< s, 1; 0 of what is fixed; none: all is exact
   /// Whether the levels of a vibration determine its offset: what is common to their frequencies
   /// then counts with it, and else nothing but their change.
-  std::vector<bool> told = {};
+  std::vector<bool> determined = {};
   std::vector<double> start = {};  ///< offsets to begin with, and fixed ones, 1
 
   /// No frequency is so far off that the limit x ≥ 0 counts.

@@ -288,8 +288,8 @@ class Search {
   }
 
   /// Brings the shift near to the first mode that strains: from afar, as stiff springs that fix
-  /// rows put it, modes are not told apart. Near the eigenvalue 0 of rigid bodies, others lose the
-  /// digits by which theirs is nearer.
+  /// rows put it, modes are not distinguished. Near the eigenvalue 0 of rigid bodies, others lose
+  /// the digits by which theirs is nearer.
   void approach() {
     for (int i = 0; i < kMostShifts; ++i) {
       const RigidBodies rigid = rigid_bodies();

@@ -27,9 +27,9 @@ struct NaturalModes {
   /// What rounding of K can make of ω² of a rigid body, a bound, rad²/s²; 0 without rigid bodies.
   /// Nothing distinguishes a soft spring from none below it.
   double rounding = 0.0;
-  /// Below this ω², rad²/s², modes are not told from rigid bodies, and there are such: a rigid body
-  /// whose φᵀKφ is above 1/16 of the bound, as that of soft springs beside stiff ones may be, or a
-  /// mode within the rounding that K may have. 0 where nothing is in doubt.
+  /// Below this ω², rad²/s², modes are not distinguished from rigid bodies, and there are such: a
+  /// rigid body whose φᵀKφ is above 1/16 of the bound, as that of soft springs beside stiff ones
+  /// may be, or a mode within the rounding that K may have. 0 where nothing is in doubt.
   double doubtful = 0.0;
   Eigen::VectorXd residuals;  ///< |(K − ω²M)φ| over |Kφ| + ω²|Mφ|, 1; of rigid bodies 0
   /// Factor of the system, at a σ < 0 that is small against ω² of the first mode that strains, if

@@ -290,7 +290,7 @@ void visit_calibrated(RecordValues& values, IdentifiedJoint& joint) {
   values.one("band_confidence", joint.band_confidence);
   visit_band_edges(values, joint);
   values.one("band_samples", joint.band_samples);
-  values.list("told", found.told, joint.band_slip_force.size());
+  values.list("told", found.variance_reduction, joint.band_slip_force.size());
   values.one("reference_exponent", found.reference_exponent);
   values.one("degrees_of_freedom", joint.degrees_of_freedom);
   if (values.has("edges_N", !joint.edges.empty())) {

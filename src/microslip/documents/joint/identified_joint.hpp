@@ -119,10 +119,11 @@ struct FoundOfAssemblies {
 
 /// Results for a joint by the calibration of a structure.
 struct FoundByCalibration {
-  double levels = 0.0;                 ///< of modes, that were given
-  BandedValue stiffness = {};          ///< k, N/m
-  BandedValue elastic = {};            ///< K_e, N/m
-  std::vector<double> told = {};       ///< variance reduction at the slip forces of the band, 1
+  double levels = 0.0;         ///< of modes, that were given
+  BandedValue stiffness = {};  ///< k, N/m
+  BandedValue elastic = {};    ///< K_e, N/m
+  std::vector<double> variance_reduction =
+      {};                              ///< variance reduction at the slip forces of the band, 1
   double reference_exponent = 0.0;     ///< of the prior of the density, 1
   std::vector<double> edges_std = {};  ///< of each edge, N
   double edges_evidence = 0.0;         ///< for the edges, ln of the odds

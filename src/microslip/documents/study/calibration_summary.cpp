@@ -20,7 +20,7 @@ void visit_joints(RecordValues& values, std::vector<JointSummary>& joints) {
   values.column("stiffness_upper_N_per_m", joints, &Joint::stiffness_upper);
   values.column("slipping_share", joints, &Joint::slipping_share);
   values.column("degrees_of_freedom", joints, &Joint::degrees_of_freedom);
-  if (values.has("loss_told", true)) values.column("loss_told", joints, &Joint::loss_told);
+  if (values.has("loss_told", true)) values.column("loss_told", joints, &Joint::loss_significance);
   if (values.has("edges_evidence", true)) {
     values.column("edges_evidence", joints, &Joint::edges_evidence);
   }

@@ -21,7 +21,7 @@ struct JointSummary {
   double stiffness_upper = 0.0;     ///< of its band, N/m
   double slipping_share = 0.0;      ///< of k that slips, 1
   double degrees_of_freedom = 0.0;  ///< that its density was worth
-  double loss_told = 0.0;           ///< largest variance reduction of its D by a level, 1
+  double loss_significance = 0.0;   ///< largest variance reduction of its D by a level, 1
   double edges_evidence = 0.0;      ///< for edges of its density, ln of the odds
   double covered_from = 0.0;        ///< kA of the lowest level, N
   double covered_to = 0.0;          ///< kA of the highest, N

@@ -218,7 +218,7 @@ constexpr std::array kCampaignKinds{CampaignKind::kSweep, CampaignKind::kConstan
                                     CampaignKind::kRingDown, CampaignKind::kLoops};
 
 CampaignKind kind_in(const TomlTable& table) {
-  if (!table.has("kind")) return CampaignKind::kTold;
+  if (!table.has("kind")) return CampaignKind::kFromFile;
   std::vector<std::string_view> words;
   for (const CampaignKind kind : kCampaignKinds) words.push_back(to_string(kind));
   return kCampaignKinds.at(word_in(table, "kind", words));
@@ -230,12 +230,12 @@ void check_of_kind(const TomlTable& table, const CampaignTest& test, CampaignKin
   if (test.kind == kind) return;
   for (const std::string_view key : keys) {
     if (!table.has(key)) continue;
-    throw InputError(
-        table.name(key), InputState{"given"},
-        fmt::format("applies to kind = \"{}\", and kind is {} here", to_string(kind),
-                    test.kind == CampaignKind::kTold ? "not given"
-                                                     : fmt::format("\"{}\"", to_string(test.kind))),
-        fmt::format("Leave it out, or give kind = \"{}\".", to_string(kind)));
+    throw InputError(table.name(key), InputState{"given"},
+                     fmt::format("applies to kind = \"{}\", and kind is {} here", to_string(kind),
+                                 test.kind == CampaignKind::kFromFile
+                                     ? "not given"
+                                     : fmt::format("\"{}\"", to_string(test.kind))),
+                     fmt::format("Leave it out, or give kind = \"{}\".", to_string(kind)));
   }
 }
 
@@ -416,7 +416,7 @@ std::string_view to_string(CampaignKind kind) {
       return "ringdown";
     case CampaignKind::kLoops:
       return "loops";
-    case CampaignKind::kTold:
+    case CampaignKind::kFromFile:
       break;
   }
   return "from the file";

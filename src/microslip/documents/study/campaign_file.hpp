@@ -64,7 +64,7 @@ enum class CampaignSubject {
 
 /// Kind of a test, where its file does not determine it or another one is meant.
 enum class CampaignKind {
-  kTold,              ///< from the file: levels, modal levels, steady records, stepped sines
+  kFromFile,          ///< from the file: levels, modal levels, steady records, stepped sines
   kSweep,             ///< stepped sines, of which the response is predicted
   kConstantResponse,  ///< stepped sines, of which the force is predicted
   kRingDown,          ///< a recording of a free decay
@@ -96,7 +96,7 @@ struct CampaignTest {
   CampaignUse use = CampaignUse::kIdentify;        ///< what it is for
   std::string session = "1";                       ///< in which it was measured
   std::vector<CampaignCondition> conditions = {};  ///< in alphabetical order
-  CampaignKind kind = CampaignKind::kTold;         ///< what it is
+  CampaignKind kind = CampaignKind::kFromFile;     ///< what it is
   std::vector<std::string> sensors = {};           ///< CHANNEL=POINT; of ring-downs
   std::size_t mode = 1;                            ///< from 1; of ring-downs; 0: all there are
   std::string force = {};         ///< channel; of loops. Empty for the only force there is

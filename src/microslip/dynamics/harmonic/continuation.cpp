@@ -331,8 +331,8 @@ bool Continuation::find_next(const Point& point, double& length, Point& next) {
     const double chord = (z - point.z).cwiseQuotient(point.scale).norm();
     const bool turns =
         direction.dot(next.arrival.tangent) < kLeastCosine || length < kLeastCosine * chord;
-    const bool other_way = next.arrival.side != point.onward.side;
-    if (!kink && (turns || other_way || !smooth(point, length, next))) continue;
+    const bool other_sense = next.arrival.side != point.onward.side;
+    if (!kink && (turns || other_sense || !smooth(point, length, next))) continue;
     add_curvature(point, length, next);
     summary_.residual = std::max(summary_.residual, result.residual);
     quick_ = result.iterations - result.kept <= kQuickIterations;
@@ -417,9 +417,9 @@ std::map<double, Continuation::Point> Continuation::located(const Point& from, d
     Slope slope;
     bool is_peak;
   };
-  const double way = from.onward.along_slope;
+  const double sense = from.onward.along_slope;
   const std::array kinds{Kind{[](const Ray& ray) { return ray.gain_slope; }, true},
-                         Kind{[way](const Ray& ray) { return way * ray.along_slope; }, false}};
+                         Kind{[sense](const Ray& ray) { return sense * ray.along_slope; }, false}};
   std::map<double, Point> found;
   for (const auto& [slope, is_peak] : kinds) {
     if (!(slope(from.onward) > 0.0 && slope(to.arrival) < 0.0)) continue;

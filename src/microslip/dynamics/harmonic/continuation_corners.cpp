@@ -66,8 +66,8 @@ bool Continuation::leave(const Condition& at, double sign, double aside, Point& 
   VectorXd tangent = corner.arrival.tangent;
   std::vector<std::size_t> side;
   for (int attempt = 0; attempt < kMostOnsetsAtOnce; ++attempt) {
-    const VectorXd way = corner.scale.cwiseProduct(tangent);
-    equations_.evaluate(corner.z + aside * way);
+    const VectorXd step = corner.scale.cwiseProduct(tangent);
+    equations_.evaluate(corner.z + aside * step);
     if (attempt > 0 && equations_.slipping() == side) {
       corner.slipping = std::move(side);
       return true;
@@ -103,10 +103,10 @@ bool Continuation::turn(const Point& point, const Condition& at, VectorXd z, dou
   }
   Point corner = place_at(z);
   const VectorXd direction = (z - point.z).cwiseQuotient(corner.scale).normalized();
-  const VectorXd way = corner.scale.cwiseProduct(direction);
-  const double slope = equations_.miss_gradient(at) * way;
+  const VectorXd step = corner.scale.cwiseProduct(direction);
+  const double slope = equations_.miss_gradient(at) * step;
   const double aside = std::min(kBeside / std::abs(slope), kMostBeside);
-  equations_.evaluate(z - aside * way);
+  equations_.evaluate(z - aside * step);
   if (equations_.slips_otherwise(equations_.slipping(), point.slipping)) return false;
   const double sign = slope > 0.0 ? 1.0 : -1.0;
   corner.arrival =

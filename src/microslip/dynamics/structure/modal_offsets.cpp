@@ -101,7 +101,7 @@ ModalOffsets modal_offsets(const JointedStructure& structure,
   Eigen::VectorXd offset = Eigen::VectorXd::Constant(modes, others);
   const auto static_modes = static_cast<Eigen::Index>(structure.linear().static_modes());
   if (springs.empty()) offset.tail(static_modes).setZero();
-  Eigen::MatrixXd by_told = Eigen::MatrixXd::Zero(modes, count);
+  Eigen::MatrixXd by_measured = Eigen::MatrixXd::Zero(modes, count);
   Eigen::VectorXd left = Eigen::VectorXd::Ones(modes);
   double missed = count > 0 ? 1.0 : 0.0;
   for (int step = 0; step < kMostSteps && missed > kSmall; ++step) {
@@ -115,10 +115,10 @@ ModalOffsets modal_offsets(const JointedStructure& structure,
       answers.row(m) = answer_of(moved, mode);
       off(m) = one.offset - 0.5 * std::log(mode.square / squares(m));
     }
-    by_told = answers.completeOrthogonalDecomposition().pseudoInverse();
-    left = Eigen::VectorXd::Ones(modes) - (by_told * answers).diagonal();
+    by_measured = answers.completeOrthogonalDecomposition().pseudoInverse();
+    left = Eigen::VectorXd::Ones(modes) - (by_measured * answers).diagonal();
     missed = off.cwiseAbs().maxCoeff();
-    offset += by_told * off;
+    offset += by_measured * off;
   }
   if (!(missed <= kSmall)) {
     throw InputError("offsets of frequencies", fmt::format("{:.3g} of one is left", missed),
@@ -128,8 +128,8 @@ ModalOffsets modal_offsets(const JointedStructure& structure,
   left.tail(static_modes).setConstant(springs.empty() ? 0.0 : 1.0);
   ModalOffsets found{.offset = {offset.begin(), offset.end()}};
   for (Eigen::Index i = 0; i < modes; ++i) {
-    const Eigen::RowVectorXd row = by_told.row(i);
-    found.by_told.emplace_back(row.begin(), row.end());
+    const Eigen::RowVectorXd row = by_measured.row(i);
+    found.by_measured.emplace_back(row.begin(), row.end());
     found.left.push_back(std::clamp(left(i), 0.0, 1.0));
   }
   return found;

@@ -25,7 +25,7 @@ struct StructureOffset {
 struct ModalOffsets {
   std::vector<double> offset = {};  ///< ε_i, as a logarithm, 1; one per mode, 0 of static ones
   /// ∂ε_i/∂δ_m of each mode and each measured vibration, 1: [mode][vibration].
-  std::vector<std::vector<double>> by_told = {};
+  std::vector<std::vector<double>> by_measured = {};
   /// ∂ε_i/∂ε⁰_i, 1; in 0…1: the share of each mode that the measured vibrations do not determine.
   std::vector<double> left = {};
 };

@@ -56,8 +56,8 @@ class RecordingCsvHeader {
   /// @throws FormatError  where it is one with more or fewer cells than the line of names.
   bool read_units(std::string_view line, std::size_t number);
 
-  /// When both lines have been read, if the second is there. Columns of one name are told apart by
-  /// their units, else by their numbers.
+  /// When both lines have been read, if the second is there. Columns of one name are distinguished
+  /// by their units, else by their numbers.
   /// @param warnings  on units that are not known, and on names that were changed.
   /// @throws FormatError  where the unit of the axis is unknown or missing, there is no axis or
   ///                      nothing beside it, or a word between blanks may be a name or the

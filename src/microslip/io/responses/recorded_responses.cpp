@@ -65,7 +65,8 @@ FrequencyResponse listed_response(std::vector<Recording>& recordings,
   return response_of(recording, recording.channel(wanted.name), wanted.response, wanted.reference);
 }
 
-void add_told_responses(const Recording& recording, std::vector<FrequencyResponse>& responses) {
+void add_described_responses(const Recording& recording,
+                             std::vector<FrequencyResponse>& responses) {
   const std::vector<Uff58Header> headers = uff58_headers(recording);
   for (std::size_t i = 0; i < headers.size(); ++i) {
     if (headers[i].function_type != kOfResponse) continue;
@@ -90,7 +91,7 @@ FrequencyResponses read_recorded_responses(const std::string& path,
   }
   if (!channels.empty()) return result;
   for (const Recording& recording : read.recordings) {
-    add_told_responses(recording, result.responses);
+    add_described_responses(recording, result.responses);
   }
   if (!result.responses.empty()) return result;
   throw FormatError(

@@ -36,7 +36,7 @@ std::string big_endian(std::uint32_t number) {
 }
 
 /// A PDF file counts its bytes, so the text keeps its length.
-/// @return whether the producer stands there so that it can be told.
+/// @return whether the producer stands there so that it can be named.
 bool mark_producer(std::string& picture) {
   constexpr std::string_view kKey = "/Producer (";
   constexpr std::string_view kEnd = "))";  // of "(cairo 1.16.0 (https://cairographics.org))"

@@ -68,7 +68,9 @@ Figure density_panel(const std::vector<DensityFound>& joints, std::vector<Layer>
 }
 
 std::string prior_caption(const std::vector<DensityFound>& joints) {
-  const auto has_reduction = [](const DensityFound& joint) { return !joint.told.empty(); };
+  const auto has_reduction = [](const DensityFound& joint) {
+    return !joint.variance_reduction.empty();
+  };
   if (std::ranges::none_of(joints, has_reduction)) return {};
   return " It is grey where the variance reduction is below 50 %: the density is continued "
          "smoothly there, by the prior.";
@@ -158,8 +160,9 @@ FigureGrid panel_per_joint(const LevelsOfModes& levels, const FigureOptions& opt
 }  // namespace
 
 bool has_variance_reduction(const ExperimentResults& results) {
-  return std::ranges::any_of(results.densities,
-                             [](const DensityFound& joint) { return !joint.told.empty(); });
+  return std::ranges::any_of(results.densities, [](const DensityFound& joint) {
+    return !joint.variance_reduction.empty();
+  });
 }
 
 bool has_modal_losses(const ExperimentResults& results) {
@@ -227,8 +230,9 @@ Figure variance_reduction_figure(const ExperimentResults& results) {
   double to = 0.0;
   for (std::size_t j = 0; j < results.densities.size(); ++j) {
     const DensityFound& joint = results.densities[j];
-    if (joint.told.empty()) continue;
-    figure.layers.emplace_back(LineLayer{joint.slip_force, joint.told, joint.name, stroke_of(j)});
+    if (joint.variance_reduction.empty()) continue;
+    figure.layers.emplace_back(
+        LineLayer{joint.slip_force, joint.variance_reduction, joint.name, stroke_of(j)});
     for (const double force : joint.slip_force) {
       if (force > 0.0) from = std::min(from, force);
       to = std::max(to, force);

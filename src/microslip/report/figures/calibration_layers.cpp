@@ -21,9 +21,9 @@ constexpr int kColoursOfModes = kGrey;
 
 std::string name_of_mode(std::size_t mode) { return fmt::format("mode {}", mode); }
 
-/// Whether the levels determine the density at a knot; true without `told`.
+/// Whether the levels determine the density at a knot; true without `variance_reduction`.
 bool is_determined(const DensityFound& joint, std::size_t i) {
-  return joint.told.empty() || joint.told[i] >= kDetermined;
+  return joint.variance_reduction.empty() || joint.variance_reduction[i] >= kDetermined;
 }
 
 /// Stretches of knots that are determined or are not, each with the first one of the next.

@@ -19,7 +19,7 @@ inline constexpr double kDetermined = 0.5;
 /// The stroke of the line of a mode or joint, from 0: another colour and another style each.
 [[nodiscard]] Stroke stroke_of(std::size_t index);
 
-/// A density with its band, which is grey where `told` is below kDetermined.
+/// A density with its band, which is grey where `variance_reduction` is below kDetermined.
 /// @param index  of the joint. @param legend  of the line.
 [[nodiscard]] std::vector<Layer> density_layers(const DensityFound& joint, std::size_t index,
                                                 const std::string& legend);

@@ -94,8 +94,8 @@ ReportTable pairs_table(const CalibrationSummary& found) {
 std::string determined_range_text(const DensityFound& joint) {
   double from = std::numeric_limits<double>::infinity();
   double to = 0.0;
-  for (std::size_t i = 0; i < joint.told.size(); ++i) {
-    if (joint.told[i] < kDetermined) continue;
+  for (std::size_t i = 0; i < joint.variance_reduction.size(); ++i) {
+    if (joint.variance_reduction[i] < kDetermined) continue;
     from = std::min(from, joint.slip_force[i]);
     to = std::max(to, joint.slip_force[i]);
   }

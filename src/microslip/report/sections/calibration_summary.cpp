@@ -100,10 +100,10 @@ ReportFacts key_facts_of_calibration(const ExperimentResults& results) {
 /// Largest variance reduction of the density of each joint, 1; NaN where it is not known.
 double largest_reduction(const ExperimentResults& results, const std::string& joint) {
   const auto density = std::ranges::find(results.densities, joint, &DensityFound::name);
-  if (density == results.densities.end() || density->told.empty()) {
+  if (density == results.densities.end() || density->variance_reduction.empty()) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  return std::ranges::max(density->told);
+  return std::ranges::max(density->variance_reduction);
 }
 
 /// Whether the levels do not determine the density of the joint by itself.

@@ -316,9 +316,9 @@ std::vector<ConditionEffect> condition_effects(const CampaignFile& campaign,
     put_means(means_with_sigma(by_value(campaign, levels, effect, loss_residuals(levels, effects)),
                                gains),
               &ConditionGroup::dissipation, effect);
-    const bool told = !campaign.session_offsets || varies_within_sessions(campaign, name);
+    const bool determined = !campaign.session_offsets || varies_within_sessions(campaign, name);
     effect.common_modes = !modes_in_common(campaign, levels, effect, effects.dissipation).empty();
-    if (told && !effects.frequency.empty()) {
+    if (determined && !effects.frequency.empty()) {
       Residuals residuals = offset_residuals(campaign, levels, effects);
       if (modes_may_be_off(campaign)) {
         residuals = centred_by_mode(campaign, levels, effect, residuals);

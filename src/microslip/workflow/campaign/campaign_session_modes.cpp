@@ -47,13 +47,14 @@ std::vector<double> StructureSessions::mean_of(const StiffnessAtLevels& levels) 
 }
 
 /// Of the vibrations that the levels of a session tell, by the joints at these.
-std::vector<StructureOffset> StructureSessions::told_offsets(const std::string& session) const {
+std::vector<StructureOffset> StructureSessions::determined_offsets(
+    const std::string& session) const {
   std::vector<StructureOffset> offsets;
   for (std::size_t mode = 0; mode < structure_.linear().vibrations(); ++mode) {
-    const auto told = campaign_.sessions.told_offset(session, mode + 1);
-    if (!told) continue;
+    const auto determined = campaign_.sessions.determined_offset(session, mode + 1);
+    if (!determined) continue;
     StructureOffset one{.mode = mode,
-                        .offset = told->first,
+                        .offset = determined->first,
                         .joint_stiffness = mean_of(stiffness_at_levels(session, mode))};
     if (one.offset != 0.0 || share_of_modes(structure_, one) >= kLeastShare) {
       offsets.push_back(std::move(one));
@@ -63,8 +64,8 @@ std::vector<StructureOffset> StructureSessions::told_offsets(const std::string& 
 }
 
 void StructureSessions::require_shares(const std::string& session,
-                                       const std::vector<StructureOffset>& told) const {
-  for (const StructureOffset& one : told) {
+                                       const std::vector<StructureOffset>& determined) const {
+  for (const StructureOffset& one : determined) {
     const double share = share_of_modes(structure_, one);
     if (share >= kLeastShare) continue;
     throw InputError(fmt::format("session_offsets: session {}, mode {}", session, one.mode + 1),
@@ -78,15 +79,15 @@ void StructureSessions::require_shares(const std::string& session,
 /// stiffness is not: by this they differ, rms over the levels, 1. Which of them holds is unknown.
 /// @param moved  the structure with the offset.
 double StructureSessions::change_over_levels(const std::string& session,
-                                             const StructureOffset& told,
+                                             const StructureOffset& determined,
                                              const JointedStructure& moved) const {
-  const StiffnessAtLevels at_levels = stiffness_at_levels(session, told.mode);
+  const StiffnessAtLevels at_levels = stiffness_at_levels(session, determined.mode);
   double squares = 0.0;
   for (const std::vector<double>& stiffness : at_levels) {
-    const StructureOffset there{.mode = told.mode, .joint_stiffness = stiffness};
+    const StructureOffset there{.mode = determined.mode, .joint_stiffness = stiffness};
     const double offset =
         std::log(secant_frequency(moved, there) / secant_frequency(structure_, there));
-    squares += std::pow(offset - told.offset, 2);
+    squares += std::pow(offset - determined.offset, 2);
   }
   return std::sqrt(squares / static_cast<double>(at_levels.size()));
 }
@@ -94,21 +95,21 @@ double StructureSessions::change_over_levels(const std::string& session,
 SessionModes StructureSessions::modes_in(const std::string& session,
                                          const std::vector<double>& scatter) const {
   const auto [others, others_std] = campaign_.sessions.offset_of_others(session);
-  const std::vector<StructureOffset> told = told_offsets(session);
-  require_shares(session, told);
-  const ModalOffsets found = modal_offsets(structure_, told, others);
+  const std::vector<StructureOffset> determined = determined_offsets(session);
+  require_shares(session, determined);
+  const ModalOffsets found = modal_offsets(structure_, determined, others);
   const JointedStructure moved = with_modal_offsets(structure_, found.offset);
   std::vector<double> deviation;  // of each that is determined
-  for (const StructureOffset& one : told) {
-    const double own = campaign_.sessions.told_offset(session, one.mode + 1)->second;
+  for (const StructureOffset& one : determined) {
+    const double own = campaign_.sessions.determined_offset(session, one.mode + 1)->second;
     deviation.push_back(
         std::hypot(own, scatter[one.mode], change_over_levels(session, one, moved)));
   }
   SessionModes modes{.offset = found.offset, .deviation = scatter};
   for (std::size_t i = 0; i < scatter.size(); ++i) {
     double variance = found.left[i] * (others_std * others_std + scatter[i] * scatter[i]);
-    for (std::size_t m = 0; m < told.size(); ++m) {
-      variance += std::pow(found.by_told[i][m] * deviation[m], 2);
+    for (std::size_t m = 0; m < determined.size(); ++m) {
+      variance += std::pow(found.by_measured[i][m] * deviation[m], 2);
     }
     modes.deviation[i] = std::sqrt(variance);
   }
@@ -119,7 +120,7 @@ std::vector<Warning> StructureSessions::warnings_of_change() const {
   std::vector<Warning> warnings;
   if (plan_.frequency == FrequencyOfLevels::kIgnore) return warnings;
   for (const std::string& session : plan_.sessions()) {
-    for (const StructureOffset& one : told_offsets(session)) {
+    for (const StructureOffset& one : determined_offsets(session)) {
       const double share = share_of_modes(structure_, one);
       if (one.offset == 0.0 || share < kLeastShare) continue;
       std::vector<double> offsets(structure_.linear().size(), one.offset / share);

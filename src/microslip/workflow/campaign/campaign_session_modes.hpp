@@ -43,9 +43,11 @@ class StructureSessions {
   [[nodiscard]] StiffnessAtLevels stiffness_at_levels(const std::string& session,
                                                       std::size_t mode) const;
   [[nodiscard]] std::vector<double> mean_of(const StiffnessAtLevels& levels) const;
-  [[nodiscard]] std::vector<StructureOffset> told_offsets(const std::string& session) const;
-  void require_shares(const std::string& session, const std::vector<StructureOffset>& told) const;
-  [[nodiscard]] double change_over_levels(const std::string& session, const StructureOffset& told,
+  [[nodiscard]] std::vector<StructureOffset> determined_offsets(const std::string& session) const;
+  void require_shares(const std::string& session,
+                      const std::vector<StructureOffset>& determined) const;
+  [[nodiscard]] double change_over_levels(const std::string& session,
+                                          const StructureOffset& determined,
                                           const JointedStructure& moved) const;
 
   const CampaignFile& plan_;

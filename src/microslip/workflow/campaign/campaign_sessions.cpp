@@ -218,7 +218,8 @@ void add_frequencies(const CampaignFile& campaign, const CampaignLevels& levels,
   std::map<std::size_t, std::vector<double>> left;  // of each mode
   for (std::size_t s = 0; s < sorted.size(); ++s) {
     const SessionEffect& session = effects.sessions[s];
-    if (campaign.session_offsets && !effects.told_offset(session.name, session.mode)) continue;
+    if (campaign.session_offsets && !effects.determined_offset(session.name, session.mode))
+      continue;
     for (const double y : sorted[s]) left[session.mode].push_back(y - session.frequency_offset);
   }
   std::vector<double> all;
@@ -276,8 +277,8 @@ bool SessionEffects::has(const std::string& name) const {
   return std::ranges::find(sessions, name, &SessionEffect::name) != sessions.end();
 }
 
-std::optional<std::pair<double, double>> SessionEffects::told_offset(const std::string& name,
-                                                                     std::size_t mode) const {
+std::optional<std::pair<double, double>> SessionEffects::determined_offset(const std::string& name,
+                                                                           std::size_t mode) const {
   const SessionEffect* own = find(name, mode);
   if (own == nullptr || find(sessions.front().name, mode) == nullptr) return std::nullopt;
   if (!std::isfinite(own->frequency_difference)) return std::nullopt;
@@ -291,16 +292,16 @@ double SessionEffects::frequency_std_of(std::size_t mode) const {
 
 std::pair<double, double> SessionEffects::offset_of(const std::string& name,
                                                     std::size_t mode) const {
-  const auto told = told_offset(name, mode);
-  return told ? *told : offset_of_others(name);
+  const auto own = determined_offset(name, mode);
+  return own ? *own : offset_of_others(name);
 }
 
 std::pair<double, double> SessionEffects::offset_of_others(const std::string& name) const {
   std::vector<double> offsets;
   for (const SessionEffect& session : sessions) {
     if (session.name != name) continue;
-    const auto told = told_offset(name, session.mode);
-    if (told) offsets.push_back(told->first);
+    const auto own = determined_offset(name, session.mode);
+    if (own) offsets.push_back(own->first);
   }
   if (offsets.empty()) return {0.0, between_frequencies};
   constexpr std::size_t kFewest = 3;  // two hardly tell a scatter

@@ -51,15 +51,15 @@ struct SessionEffects {
   [[nodiscard]] bool has(const std::string& name) const;
   /// δ and its σ of a mode in a session, both 1, against the first session with levels. Nothing
   /// where either of the two has no frequency of the mode.
-  [[nodiscard]] std::optional<std::pair<double, double>> told_offset(const std::string& name,
-                                                                     std::size_t mode) const;
+  [[nodiscard]] std::optional<std::pair<double, double>> determined_offset(const std::string& name,
+                                                                           std::size_t mode) const;
   /// δ and its σ of modes whose offset is not determined in a session, both 1: the mean of the n
   /// that are with s√(1 + 1/n), s their scatter, or of one or two their rms; where none
   /// is, 0 with the offsets of the other sessions, rms. 0 and 0 where none were fitted.
   [[nodiscard]] std::pair<double, double> offset_of_others(const std::string& name) const;
   /// rms of y of a mode, 1; of one without levels that of all.
   [[nodiscard]] double frequency_std_of(std::size_t mode) const;
-  /// told_offset(), or else offset_of_others().
+  /// determined_offset(), or else offset_of_others().
   [[nodiscard]] std::pair<double, double> offset_of(const std::string& name,
                                                     std::size_t mode) const;
 };

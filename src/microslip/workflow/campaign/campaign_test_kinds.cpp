@@ -65,7 +65,7 @@ bool fits(CampaignKind kind, TestContent content) {
       return may_be_recording(content) || content == TestContent::kModalLevels;
     case CampaignKind::kLoops:
       return may_be_recording(content);
-    case CampaignKind::kTold:
+    case CampaignKind::kFromFile:
       break;
   }
   return true;
@@ -117,9 +117,9 @@ void check_may_be_recording(const CampaignTest& test, const TestFile& file) {
 }
 
 void check_predictable(const CampaignTest& test, TestContent content) {
-  const bool told = test.kind != CampaignKind::kTold;
+  const bool kind_given = test.kind != CampaignKind::kFromFile;
   if (content == TestContent::kSteppedSine || content == TestContent::kModalLevels) return;
-  if (may_be_recording(content) && told) return;
+  if (may_be_recording(content) && kind_given) return;
   throw InputError(
       title_of(test), in_quotes(test.file),
       "must be stepped sines, modal levels, or a recording with its kind to be predicted",
@@ -345,7 +345,7 @@ std::optional<TestKind> test_kind_of(CampaignKind kind) {
       return TestKind::kRingDown;
     case CampaignKind::kLoops:
       return TestKind::kLoops;
-    case CampaignKind::kTold:
+    case CampaignKind::kFromFile:
       break;
   }
   return std::nullopt;

@@ -147,7 +147,7 @@ std::string describe_joint(const CalibratedJoint& joint) {
                            percent_text(1.0 - joint.joint.density().elastic_remainder()),
                            k * joint.largest_amplitude)) +
       line("", fmt::format("variance reduction of its density up to {}",
-                           percent_text(std::ranges::max(joint.told)))) +
+                           percent_text(std::ranges::max(joint.variance_reduction)))) +
       describe_edges(joint);
   return text;
 }

@@ -86,7 +86,7 @@ CsvWriter identifiability_table(const CalibrationResult& found) {
   std::vector<double> density;
   std::vector<double> lower;
   std::vector<double> upper;
-  std::vector<double> told;
+  std::vector<double> reduction;
   for (const CalibratedJoint& joint : found.joints) {
     const double k = joint.stiffness.value;
     for (std::size_t i = 0; i < joint.slip_displacement.size(); ++i) {
@@ -96,7 +96,7 @@ CsvWriter identifiability_table(const CalibrationResult& found) {
       density.push_back(joint.density[i] / (k * k));
       lower.push_back(joint.band.lower[i]);
       upper.push_back(joint.band.upper[i]);
-      told.push_back(joint.told[i]);
+      reduction.push_back(joint.variance_reduction[i]);
     }
   }
   CsvWriter table;
@@ -106,7 +106,7 @@ CsvWriter identifiability_table(const CalibrationResult& found) {
   table.add_numbers("density", kPerForce, density);
   table.add_numbers("lower", kPerForce, lower);
   table.add_numbers("upper", kPerForce, upper);
-  table.add_numbers("told", kDimensionless, told);
+  table.add_numbers("told", kDimensionless, reduction);
   return table;
 }
 

@@ -152,7 +152,7 @@ JointSummary joint_summary(const CalibratedJoint& joint) {
           .stiffness_upper = joint.stiffness.upper,
           .slipping_share = 1.0 - joint.joint.density().elastic_remainder(),
           .degrees_of_freedom = joint.edf,
-          .loss_told = joint.loss_told,
+          .loss_significance = joint.loss_significance,
           .edges_evidence = joint.edges_evidence,
           .covered_from = k * joint.least_amplitude,
           .covered_to = k * joint.largest_amplitude};
@@ -251,7 +251,7 @@ IdentifiedJoint found_joint(const CalibrationResult& found, const CalibratedJoin
       .by_calibration = FoundByCalibration{.levels = static_cast<double>(found.levels.size()),
                                            .stiffness = banded(joint.stiffness),
                                            .elastic = banded(joint.elastic_stiffness),
-                                           .told = joint.told,
+                                           .variance_reduction = joint.variance_reduction,
                                            .reference_exponent = joint.exponent,
                                            .edges_evidence = joint.edges_evidence},
       .degrees_of_freedom = joint.edf,

@@ -178,15 +178,15 @@ std::string_view to_string(LoadShape shape) {
   return "noise";
 }
 
-MadeLoad make_load(const JointedStructure& structure, const LoadPlan& asked,
-                   const Progress& progress) {
+SynthesisedLoad synthesise_load(const JointedStructure& structure, const LoadPlan& asked,
+                                const Progress& progress) {
   LoadPlan plan = asked;
   const bool is_shock = plan.shape == LoadShape::kShock;
   if (is_shock) check_base_driven(structure);
   if (is_shock && plan.pulse == 0.0) plan.pulse = shortest_shock(plan.required);
   check_pulse(plan);
   const double rate = sampling_rate_of(structure, plan);
-  MadeLoad load{{even_times(plan.duration, rate), {}}, {}};
+  SynthesisedLoad load{{even_times(plan.duration, rate), {}}, {}};
   LoadHistory& history = load.history;
   if (is_shock) load.shock = make_shock(plan, rate, progress);
   const bool has_peak = plan.shape != LoadShape::kNoise && !is_shock;
@@ -208,7 +208,7 @@ MadeLoad make_load(const JointedStructure& structure, const LoadPlan& asked,
   return load;
 }
 
-std::string describe_load(const JointedStructure& structure, const MadeLoad& load) {
+std::string describe_load(const JointedStructure& structure, const SynthesisedLoad& load) {
   const LoadHistory& history = load.history;
   std::string text = line("times", fmt::format("{}, {:g} s to {:g} s", history.time.size(),
                                                history.time.front(), history.time.back()));
@@ -233,7 +233,7 @@ std::string describe_load(const JointedStructure& structure, const MadeLoad& loa
   return text + line("base", motion_text(*load.shock));
 }
 
-std::string load_comment(const LoadPlan& plan, const MadeLoad& load) {
+std::string load_comment(const LoadPlan& plan, const SynthesisedLoad& load) {
   if (!load.shock) return {};
   const SynthesizedShock& shock = *load.shock;
   return fmt::format(

@@ -44,7 +44,7 @@ struct LoadPlan {
 };
 
 /// A load, and how it was found.
-struct MadeLoad {
+struct SynthesisedLoad {
   LoadHistory history;                    ///< what `march` takes
   std::optional<SynthesizedShock> shock;  ///< of a shock; from its own begin on
 
@@ -59,14 +59,15 @@ struct MadeLoad {
 /// @throws InputError  for values out of their range; for shapes other than a sine where a first
 ///                     harmonic is 0 or has a phase other than 0 and π; where an excitation is
 ///                     named twice; for a shock of a structure whose base is not driven.
-[[nodiscard]] MadeLoad make_load(const JointedStructure& structure, const LoadPlan& plan,
-                                 const Progress& progress = {});
+[[nodiscard]] SynthesisedLoad synthesise_load(const JointedStructure& structure,
+                                              const LoadPlan& plan, const Progress& progress = {});
 
 /// The lines of a summary: loads and their places, peaks and rms, and the deviation of a shock from
 /// its spectrum.
-[[nodiscard]] std::string describe_load(const JointedStructure& structure, const MadeLoad& load);
+[[nodiscard]] std::string describe_load(const JointedStructure& structure,
+                                        const SynthesisedLoad& load);
 
 /// Notes on the table, one line per fact; empty but for a shock.
-[[nodiscard]] std::string load_comment(const LoadPlan& plan, const MadeLoad& load);
+[[nodiscard]] std::string load_comment(const LoadPlan& plan, const SynthesisedLoad& load);
 
 }  // namespace microslip

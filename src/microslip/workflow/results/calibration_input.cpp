@@ -120,7 +120,7 @@ std::vector<DensityFound> densities_of(const NamedInput& input) {
   const std::vector<double> density = table.numbers("density", kPerForce);
   const std::vector<double> lower = table.numbers("lower", kPerForce);
   const std::vector<double> upper = table.numbers("upper", kPerForce);
-  const std::vector<double> told =
+  const std::vector<double> reduction =
       of_assemblies ? std::vector<double>{} : table.numbers("told", kDimensionless);
   std::vector<DensityFound> found;
   for (std::size_t row = 0; row < joint.size(); ++row) {
@@ -138,8 +138,8 @@ std::vector<DensityFound> densities_of(const NamedInput& input) {
       of->upper.push_back(upper[row]);
     }
     if (of_assemblies) continue;
-    if (!(told[row] >= 0.0 && told[row] <= 1.0)) table.reject(row, "told", "from 0 to 1");
-    of->told.push_back(told[row]);
+    if (!(reduction[row] >= 0.0 && reduction[row] <= 1.0)) table.reject(row, "told", "from 0 to 1");
+    of->variance_reduction.push_back(reduction[row]);
   }
   return found;
 }
@@ -160,7 +160,7 @@ DensityFound density_found_of(const std::string& name, const IdentifiedJoint& jo
   found.lower = joint.band_lower;
   found.upper = joint.band_upper;
   found.confidence = joint.band_confidence;
-  if (joint.by_calibration) found.told = joint.by_calibration->told;
+  if (joint.by_calibration) found.variance_reduction = joint.by_calibration->variance_reduction;
   return found;
 }
 

@@ -43,15 +43,15 @@ struct LevelsOfModes {
 };
 
 /// The density of a joint, and its variance reduction by the levels. Vectors of one length; band
-/// and `told` may be empty.
+/// and `variance_reduction` may be empty.
 struct DensityFound {
-  std::string name = {};                ///< of the joint
-  std::vector<double> slip_force = {};  ///< f*, N; rising
-  std::vector<double> density = {};     ///< φ, 1/N
-  std::vector<double> lower = {};       ///< of its band, 1/N
-  std::vector<double> upper = {};       ///< of its band, 1/N
-  std::vector<double> told = {};        ///< variance reduction, share of the prior's, 1
-  double confidence = 0.95;             ///< of the band, 1
+  std::string name = {};                        ///< of the joint
+  std::vector<double> slip_force = {};          ///< f*, N; rising
+  std::vector<double> density = {};             ///< φ, 1/N
+  std::vector<double> lower = {};               ///< of its band, 1/N
+  std::vector<double> upper = {};               ///< of its band, 1/N
+  std::vector<double> variance_reduction = {};  ///< variance reduction, share of the prior's, 1
+  double confidence = 0.95;                     ///< of the band, 1
 };
 
 }  // namespace microslip

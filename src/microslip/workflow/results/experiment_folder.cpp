@@ -432,7 +432,7 @@ bool add_result_file(const std::string& kind, const std::string& text, const std
   } else if (kind == kJointKind) {
     results.joint = identified_joint_of(parse_joint(text, path), path);
     DensityFound density = density_found_of(fs::path(path).stem().string(), *results.joint);
-    if (!density.told.empty()) results.densities.push_back(std::move(density));
+    if (!density.variance_reduction.empty()) results.densities.push_back(std::move(density));
   } else if (kind == kVerificationKind) {
     results.comparisons = comparisons_of(input);
   } else if (kind == kHistoriesKind) {

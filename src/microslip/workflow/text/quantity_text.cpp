@@ -126,8 +126,8 @@ std::pair<double, double> parse_interval(std::string_view option, std::string_vi
   throw InputError(option, in_quotes(text), "FROM must be below TO", "Swap the two.");
 }
 
-std::pair<double, double> parse_way(std::string_view option, std::string_view text,
-                                    const Dimension& dimension) {
+std::pair<double, double> parse_ends(std::string_view option, std::string_view text,
+                                     const Dimension& dimension) {
   const auto [from, to] = read_ends(option, text, dimension);
   if (from != to) return {from, to};
   throw InputError(option, in_quotes(text), "FROM and TO must differ");

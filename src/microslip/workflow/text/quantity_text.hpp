@@ -43,8 +43,8 @@ namespace microslip {
                                                        const Dimension& dimension);
 
 /// FROM:TO, in either order. @throws InputError  where it has another form, or both are the same.
-[[nodiscard]] std::pair<double, double> parse_way(std::string_view option, std::string_view text,
-                                                  const Dimension& dimension);
+[[nodiscard]] std::pair<double, double> parse_ends(std::string_view option, std::string_view text,
+                                                   const Dimension& dimension);
 
 /// Values between commas, or FROM:TO:COUNT[:log] as in parse_range().
 /// @throws InputError  where one is none.

@@ -220,10 +220,10 @@ class CalibratedJoint(Shown):
         Mean of the posterior draws.
     slip_force, density, lower, upper : ndarray
         N and 1/N, shape (knots,): the density with the band that holds 95 % of the draws.
-    told : ndarray
+    variance_reduction : ndarray
         Variance reduction of the density, share of the prior variance that the levels removed, 1,
         shape (knots,): 0 where they determine nothing.
-    loss_told : float
+    loss_significance : float
         Largest ratio over the levels of its loss to the standard deviation of that loss, 1.
     stiffness, elastic_stiffness : Estimate
         k, and the part of it that does not slip within the levels, N/m.
@@ -241,14 +241,24 @@ class CalibratedJoint(Shown):
     density: RealArray
     lower: RealArray
     upper: RealArray
-    told: RealArray
-    loss_told: float
+    variance_reduction: RealArray
+    loss_significance: float
     stiffness: Estimate
     elastic_stiffness: Estimate
     edges: tuple[Edge, ...]
     covered_from: float
     covered_to: float
     draws: JointDraws
+
+    @property
+    def told(self) -> RealArray:
+        """`variance_reduction` by its earlier name."""
+        return self.variance_reduction
+
+    @property
+    def loss_told(self) -> float:
+        """`loss_significance` by its earlier name."""
+        return self.loss_significance
 
     @property
     def linear_damping(self) -> Optional[float]:
@@ -261,7 +271,8 @@ class CalibratedJoint(Shown):
 
         return pandas.DataFrame(
             {"slip_force [N]": self.slip_force, "density [1/N]": self.density,
-             "lower [1/N]": self.lower, "upper [1/N]": self.upper, "told [1]": self.told}
+             "lower [1/N]": self.lower, "upper [1/N]": self.upper,
+             "told [1]": self.variance_reduction}
         )  # fmt: skip
 
     def plot(self, ax: Optional[Axes] = None, **style: Any) -> Axes:
@@ -278,7 +289,7 @@ class CalibratedJoint(Shown):
             ("stiffness", f"{si(k.value, 'N/m')}, {k.lower:.5g} to {k.upper:.5g}"),
             ("covered", f"{si(self.covered_from, '1')} to {si(self.covered_to, 'N')}"),
             ("elastic remainder", f"{self.joint.elastic_remainder:.4g}"),
-            ("variance reduction", f"up to {100 * float(self.told.max()):.3g} %"),
+            ("variance reduction", f"up to {100 * float(self.variance_reduction.max()):.3g} %"),
             ("draws", str(len(self.draws))),
         ]
 
@@ -357,7 +368,7 @@ class Calibration(Shown):
     def _facts(self) -> tuple[str, list[tuple[str, str]]]:
         rows = [("levels", f"{int(self.found.sum())} of {len(self.found)} found")]
         for joint in self.joints:
-            reduction = 100 * float(joint.told.max())
+            reduction = 100 * float(joint.variance_reduction.max())
             rows.append((f"joint {joint.name}", f"{si(joint.stiffness.value, 'N/m')}, variance"
                          f" reduction up to {reduction:.3g} %"))  # fmt: skip
         return "Calibration", rows + outcome(self)

@@ -212,8 +212,8 @@ class _Joint:
         """From virgin rest to where it begins, and the direction from there: by u', or by u'' where
         u' is 0. Where that is 0 too, an event comes as soon as the direction reverses."""
         self.memory.advance(float(self.shape @ y[: len(self.shape)]))
-        ways = [float(self.shape @ of[len(self.shape) :]) for of in (y, slope)]
-        self.sense = -1.0 if (ways[0] or ways[1]) < 0.0 else 1.0
+        speeds = [float(self.shape @ of[len(self.shape) :]) for of in (y, slope)]
+        self.sense = -1.0 if (speeds[0] or speeds[1]) < 0.0 else 1.0
 
     def rate(self, y: RealArray) -> float:
         """Rate of u in the present direction; given y', its acceleration."""
