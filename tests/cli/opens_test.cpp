@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <map>
 #include <string>
@@ -14,6 +16,7 @@
 
 #include "cli/effects_table.hpp"
 #include "cli/run_program.hpp"
+#include "support/replaced.hpp"
 
 namespace microslip::cli_test::opens_test {
 namespace {
@@ -55,6 +58,22 @@ class Opens {
   std::map<int, std::string> names_;
 };
 
+/// A record in all formats, and as a variable of a file.
+const std::vector<std::string> kFormats{"csv", "uff", "mat", "h5"};
+
+/// Runs a call of the inputs and expects that it opens each of the files twice at most.
+void expect_two_opens(const Sandbox& box, const std::vector<std::string>& files,
+                      const Arguments& call) {
+  Opens opens(box, files);
+  ASSERT_TRUE(opens.watches(files.size()));
+  expect_done(box, call);
+  const std::map<std::string, int> counts = opens.counts();
+  for (const std::string& name : files) {
+    EXPECT_GE(counts.at(name), 1) << name;
+    EXPECT_LE(counts.at(name), 2) << name << " by " << call.front();
+  }
+}
+
 /// The campaign of docs/file_formats.md: two tables of levels, and a sweep that is predicted.
 TEST(Opens, OfTablesInACampaign) {
   const std::map<std::string, std::string> documented = documented_files();
@@ -95,6 +114,64 @@ TEST(Opens, OfRecordingsThatAreVerified) {
   }
   const std::map<std::string, int> counts = opens.counts();
   for (const std::string& name : formats) EXPECT_LE(counts.at(name), 2) << name;
+}
+
+/// Steady records of a rig, reduced, in a campaign and verified.
+TEST(Opens, OfSteadyRecords) {
+  const std::string example = MICROSLIP_EXAMPLES "/reference_rig/";
+  const Sandbox box{
+      {"rig.toml", test::replaced(test::get(example + "rig.toml"), "count = 90", "count = 4")},
+      {"joint.json", test::get(example + "joint.json")}};
+  expect_done(box, {"measure", "rig.toml", "--out", "test", "--quiet"});
+  const std::vector<std::string> levels{"1", "2", "3", "4"};
+  for (const std::string& format : kFormats) {
+    std::vector<std::string> files;
+    for (const std::string& level : levels) {
+      files.push_back("l" + level + "." + format);
+      expect_done(box, {"convert", "test/level_0" + level + ".csv", files.back(), "--quiet"});
+    }
+    for (const std::string variable : {"", ":recording_1"}) {
+      if (!variable.empty() && format != "mat") continue;
+      std::string campaign =
+          "schema = \"microslip.campaign/1\"\nstructure = \"rig.toml\"\n"
+          "[identification]\nstiffness_N_per_m = 1.7e5\n";
+      Arguments reduce{"reduce", "rig.toml"};
+      Arguments verify{"verify", "rig.toml", "joint.json"};
+      for (std::size_t i = 0; i < files.size(); ++i) {
+        campaign += "[[test]]\nname = \"" + levels[i] + "\"\nfile = \"" + files[i] + variable +
+                    "\"\nuse = \"identify\"\n";
+        reduce.push_back(files[i] + variable);
+        verify.push_back(files[i] + variable);
+      }
+      box.put("campaign.toml", campaign);
+      reduce.insert(reduce.end(), {"--out", "levels.csv", "--quiet"});
+      verify.insert(verify.end(), {"--out", "verified.csv", "--quiet"});
+      expect_two_opens(box, files, reduce);
+      expect_two_opens(box, files, verify);
+      expect_two_opens(box, files, {"campaign", "campaign.toml", "--out", "found", "--quiet"});
+    }
+  }
+}
+
+/// Force and displacement of a joint, from which it is identified.
+TEST(Opens, OfEvidence) {
+  const Sandbox box{{"joint.json", test::get(MICROSLIP_EXAMPLES "/reference_joint/joint.json")}};
+  std::string path = "displacement [m]\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double turn = 0.02 * 3.14159265358979 * i;
+    path += fmt::format("{}\n", 2e-4 * (0.2 + 0.002 * i) * std::sin(turn));
+  }
+  box.put("path.csv", path);
+  expect_done(box, {"loop", "joint.json", "--path", "path.csv", "--out", "e.csv"});
+  for (const std::string format : {"csv", "mat", "h5"}) {
+    if (format != "csv") {
+      expect_done(box, {"convert", "e.csv", "e." + format, "--rate", "100", "--quiet"});
+    }
+    expect_two_opens(box, {"e." + format},
+                     {"identify", "e." + format, "--out", format + ".json", "--quiet"});
+  }
+  expect_two_opens(box, {"e.mat"},
+                   {"identify", "e.mat:recording_1", "--out", "variable.json", "--quiet"});
 }
 
 }  // namespace

@@ -175,7 +175,8 @@ void read_tables(const std::string& text, MemoryFile& file) {
   attempt([&] { (void)parse_loads(text, kName, structure); });
   attempt([&] { (void)read_power_density(file.path(), kAcceleration); });
   attempt([&] {
-    if (is_stepped_sine(file.path())) (void)read_stepped_sines(open_test(file.path()));
+    const TestFile opened = open_test(file.path());
+    if (opened.content == TestContent::kSteppedSine) (void)read_stepped_sines(opened);
   });
   attempt([&] {
     const CsvTable table(text, kName);

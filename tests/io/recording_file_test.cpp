@@ -64,7 +64,11 @@ TEST(RecordingFormat, IsToldByTheContent) {
   EXPECT_EQ(format_of("    -1\n   151\nx\n    -1\n    -1\n    58b     1     2\n"),
             RecordingFormat::kUffBinary);
   EXPECT_EQ(format_of("MATLAB 5.0 MAT-file, Platform: GLNXA64"), RecordingFormat::kMat);
-  EXPECT_EQ(format_of("MATLAB 7.3 MAT-file, Platform: GLNXA64"), RecordingFormat::kMat);
+  EXPECT_EQ(format_of("MATLAB 7.3 MAT-file, Platform: GLNXA64"), RecordingFormat::kMat)
+      << "its reader will complain";
+  std::string head = "MATLAB 7.3 MAT-file";
+  head.resize(512, ' ');
+  EXPECT_EQ(format_of(head + "\x89HDF\r\n\x1A\n"), RecordingFormat::kMat73);
   EXPECT_EQ(format_of("\x89HDF\r\n\x1A\n"), RecordingFormat::kHdf5);
   EXPECT_EQ(format_of(std::string(1024, '\0') + "\x89HDF\r\n\x1A\n"), RecordingFormat::kHdf5);
 }

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "arguments/command.hpp"
 #include "arguments/progress_bar.hpp"
@@ -325,7 +326,12 @@ void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments) {
 EvidenceFiles evidence_files(const IdentifyArguments& arguments) {
   EvidenceFiles files;
   for (const std::string& path : arguments.evidence) {
-    (evidence_kind(path) == EvidenceKind::kLevels ? files.levels : files.records).push_back(path);
+    TestFile file = open_test(path);
+    if (evidence_kind(file) == EvidenceKind::kLevels) {
+      files.levels.push_back(path);
+    } else {
+      files.records.push_back(std::move(file));
+    }
   }
   return files;
 }
@@ -349,7 +355,8 @@ RecordsIdentification records_options(const IdentifyArguments& arguments,
   refuse_options_of_levels(arguments, files);
   if (files.records.empty()) refuse_options_of_recordings(arguments);
   RecordsIdentification all;
-  all.records = files.records;
+  for (const TestFile& file : files.records) all.records.push_back(file.path);
+  all.opened = files.records;
   all.levels = files.levels;
   all.use_inner_reversals = arguments.inner_reversals == "use";
   all.assemblies = assembly_column(arguments);
@@ -372,9 +379,10 @@ AssembliesIdentification assemblies_options(const IdentifyArguments& arguments,
                                             const EvidenceFiles& files, const Call& call) {
   const Foreign of_one("applies to a single joint, and these are several assemblies");
   if (!files.records.empty()) {
-    throw InputError("--assemblies", in_quotes(*arguments.assemblies),
-                     fmt::format("takes levels alone, and {} is a record", files.records.front()),
-                     "The subcommand levels extracts levels from a record.");
+    throw InputError(
+        "--assemblies", in_quotes(*arguments.assemblies),
+        fmt::format("takes levels alone, and {} is a record", files.records.front().path),
+        "The subcommand levels extracts levels from a record.");
   }
   refuse_options_of_levels(arguments, files);
   refuse_options_of_recordings(arguments);

@@ -55,13 +55,14 @@ void add_identify_arguments(CLI::App& command, IdentifyArguments& arguments);
 /// The files of each kind.
 struct EvidenceFiles {
   std::vector<std::string> levels;
-  std::vector<std::string> records;
+  std::vector<TestFile> records;
 
   /// Whether there is one table of levels and nothing else.
   [[nodiscard]] bool one_table() const { return levels.size() == 1 && records.empty(); }
 };
 
-/// Sorts the files by their content. @throws FileError, FormatError  as evidence_kind().
+/// Opens the files and sorts them by their content.
+/// @throws FileError, FormatError  as open_test() and evidence_kind().
 [[nodiscard]] EvidenceFiles evidence_files(const IdentifyArguments& arguments);
 
 /// Options for one table of levels.

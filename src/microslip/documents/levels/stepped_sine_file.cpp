@@ -15,7 +15,6 @@
 #include "microslip/base/units.hpp"
 #include "microslip/documents/levels/listed_units.hpp"
 #include "microslip/documents/levels/response_sweep.hpp"
-#include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
@@ -204,16 +203,6 @@ bool is_response_sweep(std::string_view head) {
   return signature(head) == recording_kind(RecordingFormat::kUff) && is_over_frequency(head);
 }
 
-/// The first bytes; none of a pipe, which is not even opened. Standard input is left where it was.
-std::string head_of(const std::string& path) {
-  if (is_pipe_or_device(path)) return {};
-  InputStream file(path);
-  if (!file.rewind()) return {};
-  std::string head(peek_kind_head(file));
-  file.rewind();
-  return head;
-}
-
 }  // namespace
 
 bool is_stepped_sine_table(std::string_view head) {
@@ -245,18 +234,6 @@ SteppedSine parse_stepped_sine(std::string text, const std::string& name) {
           .force = positive("force", kForce),
           .acceleration = positive("acceleration", kAcceleration),
           .phase = table.numbers("phase", kAngle)};
-}
-
-bool is_stepped_sine(const std::string& path) {
-  try {
-    const PartOfFile part = part_of_file(path);
-    if (!part.variable.empty()) {
-      return is_stepped_sine(MatVariable(part.file, part.variable), part.variable);
-    }
-    return is_stepped_sine_table(head_of(path));
-  } catch (const Error&) {
-    return false;
-  }
 }
 
 bool is_stepped_sine(const MatVariable& file, std::string_view variable) {

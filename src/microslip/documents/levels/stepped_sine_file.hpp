@@ -22,12 +22,8 @@
 
 namespace microslip {
 
-/// Whether a path names such a table, by its columns or fields; also one that lacks a part of it,
-/// as the phase, which those that read it say. False for a file that cannot be read, and for a
-/// pipe, of which nothing is taken: it could be read only once.
-[[nodiscard]] bool is_stepped_sine(const std::string& path);
-
-/// Whether a file of these first bytes is such a table in CSV.
+/// Whether a file of these first bytes is such a table in CSV, by its columns; also one that lacks
+/// a part of it, as the phase, which those that read it say.
 [[nodiscard]] bool is_stepped_sine_table(std::string_view head);
 
 /// Parses a table in CSV.
@@ -36,7 +32,8 @@ namespace microslip {
 ///                                  another unit.
 [[nodiscard]] SteppedSine parse_stepped_sine(std::string text, const std::string& name);
 
-/// Whether a variable of a MATLAB file is one, or several. @throws InputError  as MatVariable.
+/// Whether a variable of a MATLAB file is one, or several, by its fields.
+/// @throws InputError  as MatVariable.
 [[nodiscard]] bool is_stepped_sine(const MatVariable& file, std::string_view variable);
 
 /// The sweeps of a variable of a MATLAB file.

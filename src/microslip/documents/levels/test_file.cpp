@@ -34,32 +34,44 @@ bool is_table(TestContent content) {
 
 /// A variable that is of stepped sines. What else it is, or what hinders its reading, is for those
 /// who read it.
-std::optional<MatVariable> sweep_of(const PartOfFile& part) {
+std::optional<MatVariable> sweep_of(InputStream& file, const std::string& name) {
   try {
-    MatVariable variable(part.file, part.variable);
-    if (is_stepped_sine(variable, part.variable)) return variable;
+    MatVariable variable(file, name);
+    if (is_stepped_sine(variable, name)) return variable;
   } catch (const Error&) {
     return std::nullopt;
   }
   return std::nullopt;
 }
 
+/// The format of a file that can hold variables.
+std::optional<RecordingFormat> format_of_variables(std::string_view head) {
+  const auto format = find_recording_format_of(head);
+  const bool holds = format == RecordingFormat::kMat || format == RecordingFormat::kMat73;
+  return holds ? format : std::nullopt;
+}
+
+void find_variable(InputStream& file, TestFile& test) {
+  test.format = format_of_variables(test.text);
+  test.sweep = sweep_of(file, test.part.variable);
+  if (test.sweep) test.content = TestContent::kSteppedSine;
+}
+
 }  // namespace
 
-TestFile open_test(const std::string& path) {
+TestFile open_test(const std::string& path, Hashed hashed) {
   TestFile test{.path = path, .part = part_of_file(path)};
   test.once = is_pipe_or_device(test.part.file);
   if (test.once) return test;
   InputStream file(test.part.file);
   test.once = test.part.file == "-";
   if (test.once && !file.rewind()) return test;
+  test.text = peek_kind_head(file);
   if (!test.part.variable.empty()) {
-    test.sweep = sweep_of(test.part);
-    if (test.sweep) test.content = TestContent::kSteppedSine;
-    test.sha256 = sha256_of_rest(file);
+    find_variable(file, test);
+    if (hashed == Hashed::kYes && file.rewind()) test.sha256 = sha256_of_rest(file);
     return test;
   }
-  test.text = peek_kind_head(file);
   test.kind = file_kind(test.text);
   test.content = content_of(test.text, test.kind);
   if (test.once) {
@@ -70,7 +82,7 @@ TestFile open_test(const std::string& path) {
     test.sha256 = sha256(test.text);
   } else if (test.content == TestContent::kRecording) {
     test.format = find_recording_format_of(test.text);
-    if (test.format) test.sha256 = sha256_of_rest(file);
+    if (test.format && hashed == Hashed::kYes) test.sha256 = sha256_of_rest(file);
   }
   return test;
 }
@@ -88,7 +100,7 @@ std::string text_of(const TestFile& file) {
 
 Recordings read_recordings(const TestFile& file, const RecordingReadOptions& options) {
   if (!file.format) return read_recordings(file.path, options);
-  return read_recordings(file.part.file, *file.format, options);
+  return read_recordings(file.part, *file.format, options);
 }
 
 std::vector<SteppedSine> read_stepped_sines(const TestFile& file) {

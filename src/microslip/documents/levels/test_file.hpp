@@ -33,19 +33,24 @@ struct TestFile {
   PartOfFile part = {};                           ///< its file and its variable
   TestContent content = TestContent::kRecording;  ///< by its content, not by its name
   std::string kind = {};                          ///< file_kind() of the file; empty of a variable
-  std::optional<RecordingFormat> format = {};     ///< of a recording that is a file of its own
-  std::string text = {};    ///< all of a table that is no recording; of others the first bytes
-  std::string sha256 = {};  ///< of the whole file; empty where nobody can read it, or only once
+  std::optional<RecordingFormat> format = {};     ///< of a recording, where one is read
+  std::string text = {};  ///< all of a table that is no recording; of others the first bytes
+  /// Of the whole file; empty where nobody can read it, or only once, and by Hashed::kNo.
+  std::string sha256 = {};
   std::optional<MatVariable> sweep = {};  ///< of a MATLAB file, where it is kSteppedSine
   bool once = false;  ///< a pipe, device or standard input, of which nothing was taken
 };
 
+/// Whether open_test() hashes a file that is read later.
+enum class Hashed : bool { kNo, kYes };
+
 /// Opens a file, recognises it, hashes it and, of a table of levels or of stepped sines, reads it.
 /// Of standard input that is a file the kind alone is found; a pipe or a device counts as a
 /// recording. A variable of a MATLAB file is read, and kept where it is of stepped sines.
-/// @param path  a file, `FILE:VARIABLE` of a MATLAB file, or "-".
+/// @param path    a file, `FILE:VARIABLE` of a MATLAB file, or "-".
+/// @param hashed  whether the SHA-256 of a recording or a variable is asked for.
 /// @throws FileError  where it does not exist, is a folder or may not be read.
-[[nodiscard]] TestFile open_test(const std::string& path);
+[[nodiscard]] TestFile open_test(const std::string& path, Hashed hashed = Hashed::kYes);
 
 /// A test is recognised and hashed before it is read.
 /// @param file  that was opened.

@@ -79,6 +79,10 @@ std::string read_file(const std::string& path, std::size_t limit) {
 
 std::string read_text(const std::string& path, std::size_t limit) {
   InputStream file(path);
+  return read_rest_of_text(file, limit);
+}
+
+std::string read_rest_of_text(InputStream& file, std::size_t limit) {
   return whole(file, limit, read_all_text);
 }
 

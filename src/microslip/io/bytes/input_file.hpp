@@ -27,6 +27,9 @@ class InputStream;
 /// Reads what is left of a stream. @throws FileError  as read_file().
 [[nodiscard]] std::string read_rest(InputStream& file, std::size_t limit = kLargestFile);
 
+/// Reads what is left of a stream as a text. @throws FileError, FormatError  as read_text().
+[[nodiscard]] std::string read_rest_of_text(InputStream& file, std::size_t limit = kLargestFile);
+
 /// Returns the SHA-256 of what is left of a stream, without keeping it.
 /// @throws FileError  where the system reports a failure, or it is larger than kLargestFile.
 [[nodiscard]] std::string sha256_of_rest(InputStream& file);

@@ -41,7 +41,7 @@ void pass(Parcel& parcel, Hdf5Recordings& read) {
 [[nodiscard]] Hdf5Recordings read_hdf5_recordings(const std::string& path,
                                                   const RecordingReadOptions& options);
 
-/// The same, after what hinders the reading of a file has been looked at.
+/// The same, of a file that could be opened.
 /// @throws FileError, FormatError, InputError  as read_recordings_hdf5().
 [[nodiscard]] Hdf5Recordings read_hdf5_file(const std::string& path,
                                             const RecordingReadOptions& options);

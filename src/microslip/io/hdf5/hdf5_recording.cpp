@@ -11,8 +11,6 @@
 namespace microslip {
 
 Hdf5Recordings read_hdf5_file(const std::string& path, const RecordingReadOptions& options) {
-  if (path == "-") throw FileError("standard input", "cannot hold an HDF5 file", "Name a file.");
-  (void)read_file_head(path, 1);  // says what hinders the reading better than the library does
   try {
     return read_hdf5_recordings(path, options);
   } catch (const std::bad_alloc&) {
@@ -21,6 +19,8 @@ Hdf5Recordings read_hdf5_file(const std::string& path, const RecordingReadOption
 }
 
 Recordings read_recordings_hdf5(const std::string& path, const RecordingReadOptions& options) {
+  if (path == "-") throw FileError("standard input", "cannot hold an HDF5 file", "Name a file.");
+  (void)read_file_head(path, 1);  // says what hinders the reading better than the library does
   Hdf5Recordings read = read_hdf5_file(path, options);
   if (!read.of_octave) return std::move(read.recordings);
   throw FormatError({.file = path}, "recordings", "variables of Octave's save -hdf5",

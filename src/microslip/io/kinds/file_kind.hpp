@@ -53,7 +53,7 @@ inline constexpr std::string_view kResponseKind = "a table of a frequency respon
 inline constexpr std::string_view kPeaksKind = "a table of peaks of draws";
 /// of march_peaks_table()
 inline constexpr std::string_view kMarchPeaksKind = "a table of peaks of draws of a march";
-/// of is_stepped_sine()
+/// of is_stepped_sine_table()
 inline constexpr std::string_view kSteppedSineKind = "a stepped-sine table";
 inline constexpr std::string_view kBackboneKind = "a table of a backbone";  ///< of backbone_table()
 /// of verification_table()

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/hdf5/hdf5_contents.hpp"
 #include "microslip/io/hdf5/hdf5_recording.hpp"
 #include "microslip/io/mat/mat_recording.hpp"
@@ -23,6 +24,16 @@ Recordings read_recordings_mat(const std::string& path, std::string_view /*varia
   refuse_matlab(path);
 }
 
+Recordings read_recordings_mat(InputStream& file, std::string_view /*variable*/,
+                               const RecordingReadOptions& /*options*/) {
+  refuse_matlab(file.name());
+}
+
+Recordings read_recordings_mat73(const std::string& path, std::string_view /*variable*/,
+                                 const RecordingReadOptions& /*options*/) {
+  refuse_matlab(path);
+}
+
 Recordings read_recordings_hdf5_or_octave(const std::string& path,
                                           const RecordingReadOptions& options) {
   return read_recordings_hdf5(path, options);
@@ -37,6 +48,10 @@ MatTree mat73_tree(const std::string& path, const MatReadOptions& /*options*/) {
 }
 
 MatVariable::MatVariable(std::string path, std::string_view /*variable*/) : path_(std::move(path)) {
+  refuse_matlab(path_);
+}
+
+MatVariable::MatVariable(InputStream& file, std::string_view /*variable*/) : path_(file.name()) {
   refuse_matlab(path_);
 }
 

@@ -7,6 +7,7 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/input_file.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/signature.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/hdf5/hdf5_reader.hpp"
@@ -21,16 +22,16 @@ namespace {
 constexpr std::size_t kHeadSize = 520;
 constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1A\n";
 
-MatTree read_any_version(const std::string& path, const MatReadOptions& options) {
-  if (path == "-") throw FileError("standard input", "cannot hold a MAT file", "Name a file.");
-  MatFileStream file(path, options.progress);
+MatTree read_any_version(InputStream& opened, const MatReadOptions& options) {
+  const std::string& path = opened.name();
+  MatFileStream file(opened, options.progress);
   const std::string head = file.head(kHeadSize);
   if (head.starts_with(kHdf5Signature) ||
       (head.size() == kHeadSize && head.ends_with(kHdf5Signature))) {
     return read_mat73_tree(path, options);
   }
   if (head.starts_with("# Created by Octave")) {
-    return parse_octave_text(read_text(path), path, options);
+    return parse_octave_text(read_rest_of_text(opened), path, options);
   }
   if (head.starts_with("MATLAB 5.0") ||
       (head.size() >= 128 && (head.substr(126, 2) == "IM" || head.substr(126, 2) == "MI"))) {
@@ -45,10 +46,16 @@ MatTree read_any_version(const std::string& path, const MatReadOptions& options)
 }  // namespace
 
 MatTree read_mat_tree(const std::string& path, const MatReadOptions& options) {
+  if (path == "-") throw FileError("standard input", "cannot hold a MAT file", "Name a file.");
+  InputStream file(path);
+  return read_mat_tree(file, options);
+}
+
+MatTree read_mat_tree(InputStream& file, const MatReadOptions& options) {
   try {
-    return read_any_version(path, options);
+    return read_any_version(file, options);
   } catch (const std::bad_alloc&) {
-    throw FileError(path, "does not fit into memory");
+    throw FileError(file.name(), "does not fit into memory");
   }
 }
 

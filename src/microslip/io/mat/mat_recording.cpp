@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/hdf5/hdf5_reader.hpp"
 #include "microslip/io/mat/mat_file.hpp"
@@ -103,6 +104,20 @@ Channel own_channel(MatValue& channels, std::size_t element, const std::string& 
   return channel;
 }
 
+MatReadOptions reading_of(const RecordingReadOptions& options) {
+  return {.allow_truncated = options.allow_truncated, .progress = options.progress};
+}
+
+Recordings recordings_of_tree(MatTree tree, std::string_view variable, const std::string& path,
+                              const RecordingReadOptions& options) {
+  Recordings result = recordings_of(tree.root, variable, path, options);
+  if (tree.truncated) {
+    result.warnings.push_back(
+        {"file_truncated", path + ": ends within a variable, which is left out; copy it again"});
+  }
+  return result;
+}
+
 }  // namespace
 
 bool is_own_recording(MatValue& value, std::size_t element) {
@@ -132,14 +147,18 @@ Recording own_recording(MatValue& value, std::size_t element, const std::string&
 
 Recordings read_recordings_mat(const std::string& path, std::string_view variable,
                                const RecordingReadOptions& options) {
-  MatTree tree = read_mat_tree(
-      path, {.allow_truncated = options.allow_truncated, .progress = options.progress});
-  Recordings result = recordings_of(tree.root, variable, path, options);
-  if (tree.truncated) {
-    result.warnings.push_back(
-        {"file_truncated", path + ": ends within a variable, which is left out; copy it again"});
-  }
-  return result;
+  return recordings_of_tree(read_mat_tree(path, reading_of(options)), variable, path, options);
+}
+
+Recordings read_recordings_mat(InputStream& file, std::string_view variable,
+                               const RecordingReadOptions& options) {
+  return recordings_of_tree(read_mat_tree(file, reading_of(options)), variable, file.name(),
+                            options);
+}
+
+Recordings read_recordings_mat73(const std::string& path, std::string_view variable,
+                                 const RecordingReadOptions& options) {
+  return recordings_of_tree(read_mat73_tree(path, reading_of(options)), variable, path, options);
 }
 
 Recordings read_recordings_hdf5_or_octave(const std::string& path,

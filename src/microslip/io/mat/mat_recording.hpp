@@ -47,6 +47,8 @@
 
 namespace microslip {
 
+class InputStream;
+
 /// Reads the recordings of a file, or of a part of it.
 /// @param path      of the file.
 /// @param variable  a struct or a vector, written as in mat_value.hpp; empty: all of the file.
@@ -60,8 +62,17 @@ namespace microslip {
                                              std::string_view variable = {},
                                              const RecordingReadOptions& options = {});
 
-/// Reads the recordings of an HDF5 file, as read_recordings_hdf5(); of variables that Octave wrote
-/// (save -hdf5) as of those of a MAT file.
+/// As above, of a file that is open, of which nothing was taken. Version 7.3 is opened again, by
+/// the process that reads it.
+[[nodiscard]] Recordings read_recordings_mat(InputStream& file, std::string_view variable,
+                                             const RecordingReadOptions& options);
+
+/// As above, of a file that is known to be of version 7.3: it is opened once.
+[[nodiscard]] Recordings read_recordings_mat73(const std::string& path, std::string_view variable,
+                                               const RecordingReadOptions& options);
+
+/// Reads the recordings of an HDF5 file that could be opened, as read_recordings_hdf5(); of
+/// variables that Octave wrote (save -hdf5) as of those of a MAT file.
 /// @throws  as these.
 [[nodiscard]] Recordings read_recordings_hdf5_or_octave(const std::string& path,
                                                         const RecordingReadOptions& options);

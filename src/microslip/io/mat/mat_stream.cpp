@@ -5,10 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <new>
-
-#include "microslip/io/bytes/input_file.hpp"
 
 namespace microslip {
 namespace {
@@ -17,6 +14,9 @@ namespace {
 constexpr std::size_t kPiece = std::size_t{64} << 20U;
 
 constexpr std::size_t kReportEvery = std::size_t{1} << 20U;
+
+/// Smaller values are taken out of a block of this size.
+constexpr std::size_t kBlock = std::size_t{1} << 16U;
 
 /// Deflate makes no more of one byte (RFC 1951: 258 bytes of two bits, rounded up).
 constexpr std::size_t kLargestInflation = 1040;
@@ -54,31 +54,31 @@ void MatStream::skip(std::size_t size) {
   }
 }
 
-MatFileStream::MatFileStream(const std::string& path, Progress progress)
-    : MatStream(path), progress_(std::move(progress)) {
-  if (!std::filesystem::is_regular_file(path)) (void)read_file_head(path, 1);  // throws why
-  file_.open(path, std::ios::binary | std::ios::ate);
-  if (!file_) (void)read_file_head(path, 1);
-  const std::streamoff size = file_.tellg();
-  if (size < 0) throw FileError(path, "cannot be read", "It must be a file, not a pipe.");
-  size_ = static_cast<std::size_t>(size);
-  file_.seekg(0);
+MatFileStream::MatFileStream(InputStream& file, Progress progress)
+    : MatStream(file.name()), file_(file), progress_(std::move(progress)) {
+  if (!file.size()) {
+    throw FileError(file.name(), "cannot be read", "It must be a file, not a pipe.");
+  }
+  size_ = *file.size();
 }
 
-std::string MatFileStream::head(std::size_t size) {
-  std::string bytes(std::min(size, size_), '\0');
-  file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file_.seekg(0);
-  return bytes;
-}
+std::string MatFileStream::head(std::size_t size) { return std::string(file_.peek(size)); }
 
 std::size_t MatFileStream::read_some(char* to, std::size_t size) {
-  const std::streamsize count = file_.rdbuf()->sgetn(to, static_cast<std::streamsize>(size));
   if (progress_ && offset() >= next_report_) {
     if (!progress_(offset(), size_)) throw Cancelled();
     next_report_ = offset() + kReportEvery;
   }
-  return static_cast<std::size_t>(std::max<std::streamsize>(count, 0));
+  if (taken_ == ahead_.size()) {
+    if (size >= kBlock) return file_.read(to, size);
+    taken_ = 0;
+    ahead_.resize(kBlock);
+    ahead_.resize(file_.read(ahead_.data(), kBlock));
+  }
+  const std::size_t count = std::min(size, ahead_.size() - taken_);
+  std::copy_n(ahead_.begin() + static_cast<std::ptrdiff_t>(taken_), count, to);
+  taken_ += count;
+  return count;
 }
 
 MatInflateStream::MatInflateStream(MatFileStream& file, std::size_t compressed)

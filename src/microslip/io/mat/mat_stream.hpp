@@ -5,13 +5,14 @@
 
 #include <array>
 #include <cstddef>
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/progress.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
 
 namespace microslip {
 
@@ -55,8 +56,9 @@ class MatStream {
 
 class MatFileStream : public MatStream {
  public:
-  /// @throws FileError  as read_file_head().
-  MatFileStream(const std::string& path, Progress progress);
+  /// @param file  of which nothing was taken; it outlives this.
+  /// @throws FileError  where it is a pipe or a device.
+  MatFileStream(InputStream& file, Progress progress);
 
   [[nodiscard]] std::size_t at_most() const override { return size_ - offset(); }
   [[nodiscard]] bool at_end() const { return offset() == size_; }
@@ -67,8 +69,10 @@ class MatFileStream : public MatStream {
  private:
   std::size_t read_some(char* to, std::size_t size) override;
 
-  std::ifstream file_;
+  InputStream& file_;
   std::size_t size_ = 0;
+  std::vector<char> ahead_ = {};  ///< read from the file, for the many small values
+  std::size_t taken_ = 0;         ///< of these
   Progress progress_;
   std::size_t next_report_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
+#include "microslip/io/bytes/input_stream.hpp"
 #include "microslip/io/bytes/text.hpp"
 #include "microslip/io/mat/mat_file.hpp"
 #include "microslip/io/mat/mat_path.hpp"
@@ -25,6 +26,11 @@ MatVariable::MatVariable(std::string path, std::string_view variable)
     : path_(std::move(path)),
       tree_(std::make_shared<MatTree>(
           read_mat_tree(path_, {.only = first_name(variable), .progress = {}}))) {}
+
+MatVariable::MatVariable(InputStream& file, std::string_view variable)
+    : path_(file.name()),
+      tree_(std::make_shared<MatTree>(
+          read_mat_tree(file, {.only = first_name(variable), .progress = {}}))) {}
 
 MatArray MatVariable::array(std::string_view variable) const {
   const MatPlace place = follow(tree_->root, variable, path_);

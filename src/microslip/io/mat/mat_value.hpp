@@ -28,6 +28,7 @@ struct MatArray {
   std::vector<double> imaginary;   ///< of the same length, or empty: the numbers are real
 };
 
+class InputStream;
 struct MatTree;
 
 /// A variable of a file with all that is in it: the file is read once, whatever is asked for.
@@ -36,6 +37,9 @@ class MatVariable {
   /// @param path      of the file.
   /// @param variable  its name, or a path that begins with it; empty: all variables of the file.
   MatVariable(std::string path, std::string_view variable);
+
+  /// As above, of a file that is open, of which nothing was taken.
+  MatVariable(InputStream& file, std::string_view variable);
 
   /// Of the file.
   [[nodiscard]] const std::string& path() const { return path_; }

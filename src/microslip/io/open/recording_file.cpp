@@ -41,8 +41,9 @@ constexpr std::array kFormats{
     FormatEntry{"h5", RecordingFormat::kHdf5, "an HDF5 file"},
 };
 
-/// Formats of data loggers, which are read alone.
-constexpr std::array kLoggerFormats{
+/// Formats that are read alone.
+constexpr std::array kReadFormats{
+    FormatEntry{"mat73", RecordingFormat::kMat73, "a MATLAB file"},
     FormatEntry{"tdms", RecordingFormat::kTdms, "a TDMS file of LabVIEW"},
     FormatEntry{"lvm", RecordingFormat::kLvm, "an LVM file of LabVIEW"},
     FormatEntry{"wav", RecordingFormat::kWav, "a WAV file"},
@@ -66,6 +67,17 @@ bool is_hdf5_after_other(std::string_view head) {
     if (signature(head.substr(start)) == "an HDF5 file") return true;
   }
   return false;
+}
+
+/// A file of MATLAB 7.3: one of HDF5 behind 512 bytes.
+bool is_mat73(std::string_view head) {
+  return head.starts_with("MATLAB 7.3") && head.size() > 512 &&
+         signature(head.substr(512)) == "an HDF5 file";
+}
+
+/// Whether a part of a file of this format has a name.
+bool holds_variables(RecordingFormat format) {
+  return format == RecordingFormat::kMat || format == RecordingFormat::kMat73;
 }
 
 /// Whether a line of a universal file announces binary data.
@@ -106,6 +118,8 @@ Recordings read_by_path(const PartOfFile& part, RecordingFormat format,
   switch (format) {
     case RecordingFormat::kMat:
       return read_recordings_mat(part.file, part.variable, options);
+    case RecordingFormat::kMat73:
+      return read_recordings_mat73(part.file, part.variable, options);
     case RecordingFormat::kHdf5:
       return read_recordings_hdf5_or_octave(part.file, options);
     case RecordingFormat::kTdms:
@@ -127,7 +141,7 @@ Recordings read_format(InputStream& file, const PartOfFile& part,
   if (known != nullptr && !known->is_recording) {
     throw FormatError({file.name(), 0, 0}, kExpected, known->words, "Is it the right file?");
   }
-  if (!part.variable.empty() && format != RecordingFormat::kMat) {
+  if (!part.variable.empty() && !holds_variables(format)) {
     throw InputError(part.file, in_quotes(":" + part.variable),
                      "must follow a MATLAB file, to name a variable in it",
                      "Name the file alone; all its recordings are read.");
@@ -140,6 +154,7 @@ Recordings read_format(InputStream& file, const PartOfFile& part,
                     "Save them in a file and name that.");
   }
   require_file(file, format);
+  if (format == RecordingFormat::kMat) return read_recordings_mat(file, part.variable, options);
   return read_by_path(part, format, options);
 }
 
@@ -171,6 +186,7 @@ void write_format(OutputFiles& files, const std::string& path,
       return write_recordings_mat(files.stage(path, replacing), recordings);
     case RecordingFormat::kHdf5:
       return write_recordings_hdf5(files.stage(path, replacing), recordings);
+    case RecordingFormat::kMat73:
     case RecordingFormat::kTdms:
     case RecordingFormat::kLvm:
     case RecordingFormat::kWav:
@@ -207,9 +223,11 @@ std::optional<RecordingFormat> find_recording_format_of(std::string_view head) {
   if (found == "a universal file") {
     return has_binary_dataset(head) ? RecordingFormat::kUffBinary : RecordingFormat::kUff;
   }
-  if (is_mat_signature(found)) return RecordingFormat::kMat;
-  const auto* const logger = std::ranges::find(kLoggerFormats, found, &FormatEntry::kind);
-  if (logger != kLoggerFormats.end()) return logger->format;
+  if (is_mat_signature(found)) {
+    return is_mat73(head) ? RecordingFormat::kMat73 : RecordingFormat::kMat;
+  }
+  const auto* const read_alone = std::ranges::find(kReadFormats, found, &FormatEntry::kind);
+  if (read_alone != kReadFormats.end()) return read_alone->format;
   if (found == "an HDF5 file" || (found.empty() && is_hdf5_after_other(head))) {
     return RecordingFormat::kHdf5;
   }
@@ -243,8 +261,8 @@ std::optional<RecordingFormat> find_recording_format(std::string_view name) {
 }
 
 std::string_view recording_kind(RecordingFormat format) {
-  const auto* const logger = std::ranges::find(kLoggerFormats, format, &FormatEntry::format);
-  if (logger != kLoggerFormats.end()) return logger->kind;
+  const auto* const read_alone = std::ranges::find(kReadFormats, format, &FormatEntry::format);
+  if (read_alone != kReadFormats.end()) return read_alone->kind;
   return std::ranges::find(kFormats, format, &FormatEntry::format)->kind;
 }
 
@@ -257,14 +275,12 @@ Recordings read_recordings(const std::string& path, const RecordingReadOptions& 
   return result;
 }
 
-Recordings read_recordings(const std::string& file, RecordingFormat format,
+Recordings read_recordings(const PartOfFile& file, RecordingFormat format,
                            const RecordingReadOptions& options) {
-  if (format == RecordingFormat::kCsv) return read_recordings(file, options);
+  if (format == RecordingFormat::kCsv) return read_recordings(file.file, options);
   const RecordingReadOptions reading = with_untimed(options);
-  Recordings result = within_memory(file, [&] {
-    return read_by_path({file, ""}, format, reading);
-  });
-  finish_reading(options, file, result);
+  Recordings result = within_memory(file.file, [&] { return read_by_path(file, format, reading); });
+  finish_reading(options, file.file, result);
   return result;
 }
 

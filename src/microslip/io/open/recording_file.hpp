@@ -53,7 +53,8 @@ namespace microslip {
 
 /// As above, of a file, not standard input, that was found to have a format by
 /// find_recording_format_of(): it is opened once.
-[[nodiscard]] Recordings read_recordings(const std::string& file, RecordingFormat format,
+/// @param file  with a variable of kMat or kMat73 alone.
+[[nodiscard]] Recordings read_recordings(const PartOfFile& file, RecordingFormat format,
                                          const RecordingReadOptions& options);
 
 /// Gives channels without unit those that are assumed, and warns of what no structure survives

@@ -9,6 +9,7 @@ enum class RecordingFormat {
   kUff,        ///< universal file, datasets 58 in text
   kUffBinary,  ///< universal file, datasets 58b
   kMat,        ///< MATLAB
+  kMat73,      ///< MATLAB 7.3, which is HDF5, read alone
   kHdf5,       ///< HDF5
   kTdms,       ///< TDMS of LabVIEW, read alone
   kLvm,        ///< LVM of LabVIEW, read alone

@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "microslip/documents/joint/joint_file.hpp"
-#include "microslip/documents/levels/stepped_sine_file.hpp"
+#include "microslip/documents/levels/test_file.hpp"
 #include "microslip/documents/response/verification_file.hpp"
 #include "microslip/io/bytes/input_file.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
 #include "microslip/io/kinds/file_kind.hpp"
-#include "microslip/io/open/recording_file.hpp"
 #include "microslip/workflow/compare/verification_text.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
 #include "microslip/workflow/reduce/named_recordings.hpp"
@@ -64,13 +63,14 @@ VerifiedRecordings verify_recordings(const RecordingsVerification& options) {
   VerifiedRecordings verified{std::move(inputs), count, std::move(verifier), {}, {}};
   verified.warnings.resize(count);
   const auto read = [&](std::size_t i) {
-    const std::string& path = options.recordings[i];
-    if (is_stepped_sine(path)) {
+    const TestFile file = open_test(options.recordings[i], Hashed::kNo);
+    if (file.content == TestContent::kSteppedSine) {
       throw InputError(
-          path, "a stepped-sine table", "must be a steady record in time",
+          file.path, "a stepped-sine table", "must be a steady record in time",
           "verify compares such tables with a model.toml; reduce makes levels of them.");
     }
-    return named_recordings(read_recordings(path, options.reading), path, verified.warnings[i]);
+    return named_recordings(read_recordings(file, options.reading), file.path,
+                            verified.warnings[i]);
   };
   // Read before the records, which take longer.
   JointDraws draws;

@@ -3,13 +3,8 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "microslip/base/units.hpp"
-#include "microslip/io/bytes/input_file.hpp"
-#include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/open/recording_file.hpp"
 #include "microslip/io/recordings/recording_csv.hpp"
 #include "microslip/io/tables/csv.hpp"
@@ -32,14 +27,14 @@ bool is_of_record(const CsvColumn& column) {
 
 }  // namespace
 
-EvidenceKind evidence_kind(const std::string& path) {
-  const std::string file = part_of_file(path).file;
-  if (path == "-" || is_pipe_or_device(file)) return EvidenceKind::kLevels;
-  if (recording_format(file) != RecordingFormat::kCsv) return EvidenceKind::kRecord;
-  const std::string head = read_kind_head(file);
-  if (std::ranges::any_of(csv_columns(head), is_of_levels)) return EvidenceKind::kLevels;
-  return std::ranges::any_of(recording_columns(head), is_of_record) ? EvidenceKind::kRecord
-                                                                    : EvidenceKind::kLevels;
+EvidenceKind evidence_kind(const TestFile& file) {
+  if (file.once) return EvidenceKind::kLevels;
+  const auto found = find_recording_format_of(file.text);
+  const RecordingFormat format = found ? *found : recording_format(file.part.file);  // throws why
+  if (format != RecordingFormat::kCsv) return EvidenceKind::kRecord;
+  if (std::ranges::any_of(csv_columns(file.text), is_of_levels)) return EvidenceKind::kLevels;
+  return std::ranges::any_of(recording_columns(file.text), is_of_record) ? EvidenceKind::kRecord
+                                                                         : EvidenceKind::kLevels;
 }
 
 }  // namespace microslip

@@ -15,6 +15,7 @@
 #include "microslip/workflow/identify/identification_text.hpp"
 #include "microslip/workflow/predict/joint_draws.hpp"
 #include "microslip/workflow/reduce/level_table.hpp"
+#include "microslip/workflow/reduce/named_recordings.hpp"
 #include "microslip/workflow/text/distinct_files.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
@@ -125,7 +126,10 @@ struct EvidenceOfFiles {
 
 void gather_records(const RecordsIdentification& options, EvidenceOfFiles& all) {
   check_distinct_files(options.records);
-  ForceRecords read = read_force_records(options.records, options.channels, options.reading);
+  check_opened(options.opened, options.records);
+  ForceRecords read = options.opened.empty()
+                          ? read_force_records(options.records, options.channels, options.reading)
+                          : read_force_records(options.opened, options.channels, options.reading);
   for (const NamedForceRecord& record : read.records) all.evidence.add(record, options);
   all.evidence.from.inputs = std::move(read.inputs);
   all.warnings = std::move(read.warnings);

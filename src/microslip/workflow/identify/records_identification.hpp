@@ -25,6 +25,7 @@ namespace microslip {
 /// Inputs and options of identify_records().
 struct RecordsIdentification {
   std::vector<std::string> records = {};  ///< paths of recordings of one joint
+  std::vector<TestFile> opened = {};      ///< the records, where they were opened before
   std::vector<std::string> levels = {};   ///< paths of tables of its levels, levels.csv
   JointChannels channels = {};            ///< of each of them
   std::optional<double> stiffness = {};   ///< k of the stuck joint, N/m; found without it

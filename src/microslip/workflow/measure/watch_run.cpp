@@ -249,7 +249,7 @@ WatchedTest::Kept WatchedTest::sort_out(const std::vector<std::string>& files,
   for (const std::string& file : files) {
     if (faulty_.contains(file)) continue;
     const std::optional<std::string> fault = fault_in([&] {
-      const bool is_table = evidence_kind(file) == EvidenceKind::kLevels;
+      const bool is_table = evidence_kind(open_test(file, Hashed::kNo)) == EvidenceKind::kLevels;
       if (is_among(change.changed, file)) {
         options_.tell(WatchedNews::kRecord,
                       fmt::format("{}: {}", file_name(file), evidence_line(file, is_table)));
