@@ -2,7 +2,6 @@
 #include "microslip/calibrate/calibration_reading.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,9 +10,10 @@
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/interpolation.hpp"
-#include "microslip/base/median.hpp"
 #include "microslip/base/random.hpp"
 #include "microslip/calibrate/calibration_draws.hpp"
+#include "microslip/calibrate/level_residuals.hpp"
+#include "microslip/calibrate/losses_of_joints.hpp"
 #include "microslip/calibrate/mode_offsets.hpp"
 #include "microslip/identify/posterior/quantiles.hpp"
 #include "microslip/joint/dissipation.hpp"
@@ -21,10 +21,6 @@
 namespace microslip {
 namespace {
 
-/// Two joints are known only together where the sum of their losses is known so many times better
-/// than the loss of either, which is known to this share of it at best.
-constexpr double kTogetherRatio = 5.0;
-constexpr double kKnownAlone = 0.05;
 /// Random stream of the errors of the displacement of the first level, far above those of the
 /// chains; the others follow below it.
 constexpr std::uint64_t kDisplacementStream = std::numeric_limits<std::uint64_t>::max();
@@ -276,123 +272,6 @@ CalibratedLevel read_level(const CalibrationEvidence& evidence, const AllUnknown
   return fitted;
 }
 
-struct Moments {
-  double mean_first;
-  double mean_second;
-  double first;  // standard deviations
-  double second;
-  double sum;
-  double correlation;
-};
-
-Moments moments_of(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<double>(a.size());
-  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
-  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
-  double aa = 0.0;
-  double bb = 0.0;
-  double ab = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    aa += (a[i] - mean_a) * (a[i] - mean_a);
-    bb += (b[i] - mean_b) * (b[i] - mean_b);
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-  }
-  const double product = std::sqrt(aa * bb);
-  return {mean_a,
-          mean_b,
-          std::sqrt(aa / n),
-          std::sqrt(bb / n),
-          std::sqrt(std::max(0.0, aa + bb + 2.0 * ab) / n),
-          product > 0.0 ? ab / product : 0.0};
-}
-
-/// Finds pairs of joints whose individual losses are not determined.
-/// @param losses  [level][joint][draw].
-void read_pairs(const std::vector<std::vector<std::vector<double>>>& losses,
-                CalibrationResult& result) {
-  for (std::size_t first = 0; first < result.joints.size(); ++first) {
-    for (std::size_t second = first + 1; second < result.joints.size(); ++second) {
-      std::vector<double> correlation;
-      std::vector<double> alone;
-      std::vector<double> together;
-      for (const auto& level : losses) {
-        const Moments m = moments_of(level[first], level[second]);
-        if (!(m.mean_first > 0.0 && m.mean_second > 0.0)) continue;
-        correlation.push_back(m.correlation);
-        // The better known of the two: a small share is never known well.
-        alone.push_back(std::min(m.first / m.mean_first, m.second / m.mean_second));
-        together.push_back(m.sum / (m.mean_first + m.mean_second));
-      }
-      if (correlation.empty()) continue;
-      JointPair pair{first, second, median(std::move(correlation)), median(std::move(alone)),
-                     median(std::move(together))};
-      pair.known_only_together = pair.correlation < 0.0 && pair.spread_alone > kKnownAlone &&
-                                 pair.spread_alone > kTogetherRatio * pair.spread_together;
-      result.pairs.push_back(pair);
-    }
-  }
-}
-
-/// Of three and more joints that contribute alike no pair is known together, as the others take the
-/// rest: compares each with the sum of all.
-void read_groups(const std::vector<std::vector<std::vector<double>>>& losses,
-                 CalibrationResult& result) {
-  for (std::size_t joint = 0; joint < result.joints.size(); ++joint) {
-    std::vector<double> alone;
-    std::vector<double> together;
-    for (const auto& level : losses) {
-      std::vector<double> sum(level[joint].size(), 0.0);
-      for (const std::vector<double>& values : level) {
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += values[i];
-      }
-      const Moments m = moments_of(level[joint], sum);
-      if (!(m.mean_first > 0.0)) continue;
-      alone.push_back(m.first / m.mean_first);
-      together.push_back(m.second / m.mean_second);
-    }
-    if (alone.empty()) continue;
-    const double spread = median(std::move(alone));
-    if (spread < kKnownAlone || spread < kTogetherRatio * median(std::move(together))) continue;
-    result.known_in_sum.push_back(joint);
-  }
-}
-
-/// The loss of each joint over its standard deviation, where that is largest.
-/// @param losses  [level][joint][draw].
-void read_loss_significance(const std::vector<std::vector<std::vector<double>>>& losses,
-                            CalibrationResult& result) {
-  for (std::size_t i = 0; i < losses.size(); ++i) {
-    if (!result.levels[i].found) continue;
-    for (std::size_t j = 0; j < result.joints.size(); ++j) {
-      const Moments m = moments_of(losses[i][j], losses[i][j]);
-      if (!(m.first > 0.0)) continue;
-      result.joints[j].loss_significance =
-          std::max(result.joints[j].loss_significance, m.mean_first / m.first);
-    }
-  }
-}
-
-/// Mean over the levels of the mode and session of each level of their frequency offsets.
-void read_offsets_of_levels(const ModalLevels& levels, const std::vector<double>& errors,
-                            CalibrationResult& result) {
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    double sum = 0.0;
-    double count = 0.0;
-    for (std::size_t j = 0; j < levels.size(); ++j) {
-      if (std::isnan(errors[j]) || !levels.same_offset(i, j)) continue;
-      sum += errors[j];
-      count += 1.0;
-    }
-    result.levels[i].frequency_offset = sum / count;  // NaN of none
-  }
-}
-
-/// ω of a level as measured over that of the structure as it was given, minus 1; NaN without.
-double error_of_given(const ModalLevels& levels, std::size_t level, const LevelStates& states) {
-  const double error = frequency_error(levels, level, *states.at(level));
-  return (1.0 + error) * std::exp(states.offset_taken(levels.mode[level])) - 1.0;
-}
-
 /// The offsets of the modes of the draws.
 FoundModes modes_of_draws(const CalibrationDraws& draws, std::size_t modes) {
   Spread spread(draws.unknowns.mode_count());
@@ -421,137 +300,6 @@ void read_found_modes(const CalibrationEvidence& evidence, const CalibrationDraw
   try {
     result.modes = found_modes(states.given(), level_offsets(evidence.levels, states));
   } catch (const InputError&) {
-  }
-}
-
-/// Mean over the levels of each mode of their frequency offsets.
-void read_offsets(const CalibrationEvidence& evidence, const LevelStates& states,
-                  CalibrationResult& result) {
-  const std::size_t modes = states.structure().linear().vibrations();
-  std::vector<double> sum(modes, 0.0);
-  std::vector<double> count(modes, 0.0);
-  std::vector<double> errors(evidence.levels.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < evidence.levels.size(); ++i) {
-    if (!states.at(i)) continue;
-    errors[i] = error_of_given(evidence.levels, i, states);
-    if (std::isnan(errors[i])) continue;
-    sum[evidence.levels.mode[i]] += errors[i];
-    count[evidence.levels.mode[i]] += 1.0;
-  }
-  read_offsets_of_levels(evidence.levels, errors, result);
-  for (std::size_t m = 0; m < modes; ++m) {
-    result.frequency_offset.push_back(count[m] > 0.0 ? sum[m] / count[m]
-                                                     : std::numeric_limits<double>::quiet_NaN());
-  }
-}
-
-/// Standard deviation of the loss of all joints at a level: where it was measured in parts, of
-/// their sum.
-double loss_deviation(const LevelDeviations& deviations) {
-  if (!std::isnan(deviations.loss)) return deviations.loss;
-  double variance = 0.0;
-  for (const double part : deviations.joints) variance += part * part;
-  return std::sqrt(variance);
-}
-
-/// Residuals over their scatter, and in `change` minus the offset of their mode.
-void read_residuals(const CalibrationEvidence& evidence, std::size_t level, double error,
-                    const LevelDeviations& deviations, CalibrationResult& result) {
-  CalibratedLevel& fitted = result.levels[level];
-  fitted.residual = (fitted.measured_dissipation - fitted.dissipation) /
-                    (loss_deviation(deviations) * result.loss_scatter);
-  if (evidence.frequency == FrequencyUse::kIgnore || std::isnan(error)) return;
-  if (evidence.frequency == FrequencyUse::kChange) {
-    error -= fitted.frequency_offset;
-  }
-  fitted.frequency_residual = error / (deviations.frequency * result.frequency_scatter);
-}
-
-/// Standard deviation of the loss of a level, J; without the error of its displacement.
-double loss_noise(const CalibrationEvidence& evidence, std::size_t level,
-                  const SteadyVibration& vibration, const CalibrationResult& result) {
-  const CalibratedLevel& fitted = result.levels[level];
-  const auto one = [&](double value, double deviation, double scattered) {
-    return evidence.loss_std_given ? std::max(1.0, result.loss_scatter) * deviation
-                                   : result.loss_scatter * std::max(value, scattered);
-  };
-  const MeasuredLoss measured = measured_loss(evidence.levels, level, vibration);
-  if (!std::isnan(measured.value)) {
-    return one(fitted.dissipation, measured.deviation, measured.scattered);
-  }
-  double variance = 0.0;  // of the parts
-  for (std::size_t joint = 0; joint < fitted.joints.size(); ++joint) {
-    const std::size_t column = evidence.column[joint];
-    if (column == CalibrationEvidence::kNone) continue;
-    const JointLevels& levels = evidence.levels.joints[column];
-    const double noise = one(fitted.joints[joint].dissipation.value,
-                             ModalLevels::value(levels.dissipation_std, level),
-                             ModalLevels::value(levels.dissipation, level));
-    variance += noise * noise;
-  }
-  return std::sqrt(variance);
-}
-
-/// No draw of a density above 0 has a loss of 0, however little the levels determine it: the band
-/// of a loss that is within the error of a level extends to 0. Where one joint may have none, the
-/// others may have all, up to the error of the sum.
-/// @param sought        joints of the structure that were found, and their losses without slip, J.
-/// @param above         by how much the loss of all joints together may exceed the estimate, J.
-void open_bands(const std::vector<std::pair<std::size_t, double>>& sought,
-                const LevelDeviations& deviations, double above, const CalibrationResult& result,
-                CalibratedLevel& fitted) {
-  const boost::math::normal standard;
-  const double deviations_of_band =
-      boost::math::quantile(standard, 0.5 * (1.0 + result.confidence)) * result.loss_scatter;
-  bool opened = false;
-  for (const auto& [joint, beside] : sought) {
-    Estimate& loss = fitted.joints[joint].dissipation;
-    const double own = deviations.joints[joint];
-    const double error = deviations_of_band * (std::isnan(own) ? deviations.loss : own);
-    if (!(loss.lower > beside && loss.lower - beside < error)) continue;
-    loss.lower = beside;
-    opened = true;
-  }
-  if (!opened) return;
-  double lower = 0.0;
-  for (const JointAtLevel& joint : fitted.joints) lower += joint.dissipation.lower;
-  for (const auto& [joint, beside] : sought) {
-    Estimate& loss = fitted.joints[joint].dissipation;
-    loss.upper = std::max(loss.upper, fitted.dissipation + above - (lower - loss.lower));
-  }
-}
-
-/// Upper end of the band of the loss of all identified joints, above its mean.
-/// @param losses  [joint][draw], J.
-double above_the_sum(const std::vector<std::vector<double>>& losses, double confidence) {
-  std::vector<double> sum(losses.front().size(), 0.0);
-  for (const std::vector<double>& of_joint : losses) {
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += of_joint[i];
-  }
-  const double mean =
-      std::accumulate(sum.begin(), sum.end(), 0.0) / static_cast<double>(sum.size());
-  return std::max(0.0, quantile_pair_above_zero(sum, confidence).second - mean);
-}
-
-/// Levels over their standard deviations.
-/// @param losses  [level][joint][draw], J.
-void read_deviations(const CalibrationEvidence& evidence, const AllUnknowns& unknowns,
-                     const LevelStates& states,
-                     const std::vector<std::vector<std::vector<double>>>& losses,
-                     CalibrationResult& result) {
-  for (std::size_t i = 0; i < result.levels.size(); ++i) {
-    if (!result.levels[i].found) continue;
-    result.levels[i].loss_noise = loss_noise(evidence, i, *states.at(i), result);
-    const LevelDeviations deviations = deviations_about(evidence, unknowns, states, i);
-    read_residuals(evidence, i, error_of_given(evidence.levels, i, states), deviations, result);
-    std::vector<std::pair<std::size_t, double>> sought;
-    for (std::size_t j = 0; j < unknowns.count(); ++j) {
-      const std::size_t joint = unknowns.index(j);
-      const double a = used_amplitude(evidence, states, i, joint);
-      sought.emplace_back(joint, states.structure().joints()[joint].linear_damping * a * a);
-    }
-    open_bands(sought, deviations, above_the_sum(losses[i], result.confidence), result,
-               result.levels[i]);
   }
 }
 
@@ -601,9 +349,7 @@ void read_calibration(const CalibrationEvidence& evidence, const CalibrationOpti
     }
     result.levels.push_back(read_level(evidence, draws.unknowns, banded, options, states, level));
   }
-  read_pairs(losses, result);
-  read_loss_significance(losses, result);
-  if (result.joints.size() > 2) read_groups(losses, result);
+  read_losses(losses, result);
   read_offsets(evidence, states, result);
   read_found_modes(evidence, draws, states, result);
   read_deviations(evidence, draws.unknowns, states, losses, result);

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "microslip/base/error.hpp"
-#include "microslip/calibrate/joint_edges.hpp"
 #include "microslip/calibrate/mode_offsets.hpp"
 #include "microslip/calibrate/step_share.hpp"
 
@@ -49,15 +48,6 @@ constexpr double kSteady = 1e-3;
 constexpr std::array kTriedExponents = {-0.25, -0.5, -0.75};
 constexpr std::array kAllExponents = {0.0, -0.25, -0.5, -0.75};
 constexpr double kStrongEvidence = 6.0;
-/// χ₀ that draws have.
-constexpr std::array kDrawnExponents = {0.0, -0.125, -0.25, -0.375, -0.5, -0.625, -0.75};
-/// Chains of draws with exponents of their own: one of this share of probability has one at least.
-/// A power of 2, so that each odd number goes through all of them.
-constexpr std::size_t kExponentChains = 16;
-/// Levels per joint: fewer hardly distinguish an edge from a smooth density.
-constexpr std::size_t kFewestForEdges = 20;
-/// Places of edges beside those found.
-constexpr std::size_t kPlacesOfEdges = 8;
 /// Losses without a deviation scatter by this at least, relative: few levels leave no residual.
 constexpr double kLeastLossScatter = 1e-3;
 /// Factor from the largest amplitude of a joint at the levels found to one far beyond them.
@@ -72,18 +62,6 @@ constexpr double kOffWhereLost = 3.0;
 /// The lowest amplitude that a basis is made for, over the largest.
 constexpr double kLeastRange = 1e-4;
 
-Eigen::VectorXd projected(const AllUnknowns& now, const AllUnknowns& before,
-                          const Eigen::VectorXd& x) {
-  Eigen::VectorXd found(now.size());
-  for (std::size_t j = 0; j < now.count(); ++j) {
-    found.segment(now.begin(j), now.of(j).size()) =
-        now.of(j).projected(before.of(j), before.part(j, x));
-  }
-  found.tail(now.mode_count()) =
-      now.modes().coefficients(before.mode_count() > 0 ? before.offsets(x) : now.modes().start);
-  return found;
-}
-
 /// Whether joints have the same exponents and edges.
 bool same_laws(const AllUnknowns& one, const AllUnknowns& other) {
   for (std::size_t j = 0; j < one.count(); ++j) {
@@ -91,26 +69,6 @@ bool same_laws(const AllUnknowns& one, const AllUnknowns& other) {
     if (one.of(j).edges() != other.of(j).edges()) return false;
   }
   return true;
-}
-
-/// Edges whose ranges are not examined yet. @param places  x*, m; rising.
-FoundEdges edges_at(std::vector<double> places) {
-  FoundEdges edges;
-  if (!places.empty()) edges.empty.assign(places.size() + 1, false);
-  edges.slip_displacement = std::move(places);
-  return edges;
-}
-
-/// Empty ranges of one of the chains, each as often as it is likely, those of two in another order.
-std::vector<bool> emptied(const FoundEdges& edges, std::size_t chain) {
-  std::vector<bool> empty = edges.empty;
-  for (std::size_t range = 0; range < empty.size(); ++range) {
-    const std::size_t place = chain * (2 * range + 1) % kExponentChains;
-    const double share = (static_cast<double>(place) + 0.5) / static_cast<double>(kExponentChains);
-    empty[range] = share < edges.emptiness[range];
-  }
-  const bool all = !empty.empty() && std::ranges::find(empty, false) == empty.end();
-  return all ? edges.empty : empty;
 }
 
 double rows_of(const LinearEvidence& evidence) {
@@ -262,8 +220,8 @@ CalibratedState GrowingRange::step(const std::vector<std::size_t>& which,
                                    const CalibratedState& before,
                                    const std::vector<double>& exponents) {
   const AllUnknowns now = unknowns(found_with(exponents));
-  const Eigen::VectorXd from = projected(now, before.unknowns, before.about);
-  const Eigen::VectorXd full = projected(now, before.unknowns, before.settled.x) - from;
+  const Eigen::VectorXd from = now.projected(before.unknowns, before.about);
+  const Eigen::VectorXd full = now.projected(before.unknowns, before.settled.x) - from;
   double share = keep_weights_ ? share_ : 1.0;  // where full steps oscillate
   const NormalEquations equations(before.evidence);
   const EvidenceWeights& weights = before.settled.weights;
@@ -616,190 +574,10 @@ bool GrowingRange::modes_may_be_off() const {
          evidence_.frequency == FrequencyUse::kChange;
 }
 
-bool GrowingRange::edges_sought() const {
-  return options_.edges && all_.size() >= kFewestForEdges * sought_.size();
-}
-
-/// Adds the edges of the joint that gains most by them. Joints that have some keep them.
-/// @return whether there is one.
-bool GrowingRange::find_edges(const CalibratedState& state) {
-  double most = 0.0;
-  std::size_t where = 0;
-  std::vector<double> places;
-  for (std::size_t j = 0; j < sought_.size(); ++j) {
-    if (!edges_[j].slip_displacement.empty()) continue;
-    JointEdges model(evidence_, state.linear, state.unknowns, j, bounds());
-    const EdgedFit without = model.present(state.settled.weights);
-    const EdgedFit found = model.find(without);
-    if (tick_) tick_();
-    const double gain = without.evidence - found.evidence;
-    if (found.edges.empty() || !(gain > most)) continue;
-    most = gain;
-    where = j;
-    places = model.slip_displacements(found.edges);
-  }
-  if (places.empty()) return false;
-  edges_[where] = edges_at(std::move(places));
-  return true;
-}
-
-/// Ranges between edges on which nothing slips, where that is likelier than not: both are as likely
-/// before. Each with those of the others as they are.
-void GrowingRange::find_emptiness(const CalibratedState& state) {
-  for (std::size_t j = 0; j < sought_.size(); ++j) {
-    FoundEdges& edges = edges_[j];
-    edges.emptiness.assign(edges.empty.size(), 0.0);
-    if (state.unknowns.of(j).edges().size() + 1 != edges.empty.size()) continue;
-    const JointEdges model(evidence_, state.linear, state.unknowns, j, bounds());
-    for (std::size_t range = 0; range < edges.empty.size(); ++range) {
-      std::vector<bool> with = edges.empty;
-      std::vector<bool> without = edges.empty;
-      with[range] = false;
-      without[range] = true;
-      if (std::ranges::find(without, false) == without.end()) continue;
-      const double fall = model.evidence_without(with, state.settled.weights) -
-                          model.evidence_without(without, state.settled.weights);
-      if (std::isnan(fall)) continue;
-      edges.emptiness[range] = 1.0 / (1.0 + std::exp(-0.5 * fall));
-      edges.empty[range] = edges.emptiness[range] > 0.5;
-    }
-  }
-}
-
-/// Removes edges: with other exponents and edges of the others some may not be worth their price.
-/// @return whether there is one.
-bool GrowingRange::thin_edges(const CalibratedState& state) {
-  bool any = false;
-  for (std::size_t j = 0; j < sought_.size(); ++j) {
-    if (edges_[j].slip_displacement.empty()) continue;
-    JointEdges model(evidence_, state.linear, state.unknowns, j, bounds());
-    const EdgedFit kept = model.kept(state.settled.weights);
-    if (tick_) tick_();
-    if (kept.edges.size() == edges_[j].slip_displacement.size()) continue;
-    any = true;
-    edges_[j] = edges_at(model.slip_displacements(kept.edges));
-  }
-  return any;
-}
-
-// One joint after the other, as a jump that one of them leaves unexplained may be attributed to
-// another.
-CalibratedState GrowingRange::with_edges(CalibratedState state) {
-  if (!edges_sought()) return state;
-  state = steadied(std::move(state));
-  while (find_edges(state)) state = with_new_edges(state);
-  return thin_edges(state) ? with_new_edges(state) : state;
-}
-
-CalibratedState GrowingRange::with_new_edges(const CalibratedState& before) {
-  const CalibratedState state = tried(before, exponents_);
-  find_emptiness(state);
-  return choose_exponents(state);
-}
-
-/// The evidence of the edges, and other places where they may be.
-void GrowingRange::weigh_edges(const CalibratedState& found) {
-  const std::vector<FoundEdges> before = edges_;
-  find_emptiness(found);
-  for (std::size_t j = 0; j < sought_.size(); ++j) edges_[j].empty = before[j].empty;
-  for (std::size_t j = 0; j < sought_.size(); ++j) {
-    FoundEdges& edges = edges_[j];
-    edges.slip_displacement = found.unknowns.of(j).edges();
-    if (edges.slip_displacement.empty()) continue;
-    JointEdges model(evidence_, found.linear, found.unknowns, j, bounds());
-    EdgeSearch search = model.search();
-    const EdgedFit fit = model.present(found.settled.weights);
-    edges.evidence = model.fit({}, 0.0, fit, true).evidence - fit.evidence;
-    const std::vector<double> deviations = search.deviations(fit);
-    for (std::size_t e = 0; e < fit.edges.size(); ++e) {
-      std::vector<BasisEdge> moved = fit.edges;
-      moved[e].at -= deviations[e];
-      edges.deviation.push_back(edges.slip_displacement[e] - model.slip_displacements(moved)[e]);
-    }
-    for (const auto& places : search.elsewhere(fit, deviations, kPlacesOfEdges)) {
-      edges.elsewhere.push_back(model.slip_displacements(places));
-    }
-  }
-}
-
-/// About the joints that were found, as they explain the levels with any exponent: λ and τ are
-/// near.
-CalibratedState GrowingRange::beside(const CalibratedState& found, const Variant& variant) {
-  AllUnknowns now = unknowns(variant);
-  Eigen::VectorXd x = projected(now, found.unknowns, found.settled.x);
-  CalibratedState state = linear_about(found.levels, std::move(now), std::move(x));
-  state.settled = settle(NormalEquations(state.evidence), found.settled.weights, bounds());
-  if (tick_) tick_();
-  return state;
-}
-
-/// Exponents of one joint, each as many times of kExponentChains as it is likely: the one found
-/// alone where no other explains as many levels.
-std::vector<double> GrowingRange::likely_exponents(std::size_t joint, const CalibratedState& found,
-                                                   VariantStates& states) {
-  std::vector<double> fall;
-  for (const double exponent : kDrawnExponents) {
-    Variant variant = found_with(exponents_);
-    variant.exponents[joint] = exponent;
-    const CalibratedState& state = state_with(variant, found, states).state;
-    fall.push_back(state.found < found.found ? HUGE_VAL
-                                             : state.settled.likelihood - found.settled.likelihood);
-  }
-  const double least = std::ranges::min(fall);
-  if (!std::isfinite(least)) return std::vector<double>(kExponentChains, exponents_[joint]);
-  std::vector<double> likelihood;
-  for (const double each : fall) likelihood.push_back(std::exp(-0.5 * (each - least)));
-  const double sum = std::accumulate(likelihood.begin(), likelihood.end(), 0.0);
-  std::vector<double> likely;
-  double below = 0.0;
-  for (std::size_t i = 0; i < likelihood.size(); ++i) {
-    below += likelihood[i] / sum * static_cast<double>(kExponentChains);
-    while (static_cast<double>(likely.size()) + 0.5 < below) likely.push_back(kDrawnExponents[i]);
-  }
-  return likely;
-}
-
-WeighedState& GrowingRange::state_with(const Variant& variant, const CalibratedState& found,
-                                       VariantStates& states) {
-  auto known = states.find(variant);
-  if (known == states.end()) {
-    known = states.emplace(variant, WeighedState{beside(found, variant)}).first;
-  }
-  return known->second;
-}
-
-std::vector<WeighedState> GrowingRange::with_others(const CalibratedState& found) {
-  keep_weights_ = false;
-  VariantStates states;
-  states.emplace(found_with(exponents_), WeighedState{found});
-  std::vector<std::vector<double>> likely;
-  for (std::size_t j = 0; j < sought_.size(); ++j) {
-    likely.push_back(likely_exponents(j, found, states));
-  }
-  for (std::size_t chain = 0; chain < kExponentChains; ++chain) {
-    Variant variant;
-    for (std::size_t j = 0; j < sought_.size(); ++j) {
-      const std::size_t turn = chain * (2 * j + 1) % kExponentChains;
-      variant.exponents.push_back(likely[j][turn]);
-      variant.empty.push_back(emptied(edges_[j], turn));
-      const std::size_t others = edges_[j].elsewhere.size();
-      const std::size_t place = (chain * (2 * j + 1) + j) % (others + 1);
-      variant.places.push_back(place == others ? kFound : place);
-    }
-    ++state_with(variant, found, states).weight;
-  }
-  std::vector<WeighedState> drawn;
-  for (auto& [variant, state] : states) {
-    if (state.weight > 0) drawn.push_back(std::move(state));
-  }
-  (void)linear_about(found.levels, found.unknowns, found.about);  // others have moved the levels
-  return drawn;
-}
-
 /// The same joints in the terms of other evidence.
 CalibratedState GrowingRange::relinearised(const CalibratedState& state) {
   AllUnknowns now = unknowns(found_with(exponents_));
-  Eigen::VectorXd x = projected(now, state.unknowns, state.settled.x);
+  Eigen::VectorXd x = now.projected(state.unknowns, state.settled.x);
   CalibratedState anew = linear_about(all_, std::move(now), std::move(x));
   anew.settled = settle_from_afar(NormalEquations(anew.evidence), bounds());
   return anew;

@@ -415,6 +415,16 @@ AllUnknowns AllUnknowns::with(std::size_t j, JointUnknowns joint) const {
   return {which_, std::move(joints), modes_};
 }
 
+Eigen::VectorXd AllUnknowns::projected(const AllUnknowns& before, const Eigen::VectorXd& x) const {
+  Eigen::VectorXd found(size());
+  for (std::size_t j = 0; j < count(); ++j) {
+    found.segment(begin(j), of(j).size()) = of(j).projected(before.of(j), before.part(j, x));
+  }
+  found.tail(mode_count()) =
+      modes_.coefficients(before.mode_count() > 0 ? before.offsets(x) : modes_.start);
+  return found;
+}
+
 double CalibrationEvidence::measured_amplitude(std::size_t level, std::size_t joint) const {
   return joint_entry(*this, joint, level, &JointLevels::amplitude);
 }

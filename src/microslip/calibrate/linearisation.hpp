@@ -58,6 +58,11 @@ class AllUnknowns {
     return x.segment(begin_[j], joints_[j].size());
   }
 
+  /// Coefficients of these unknowns for the joints and modes that other unknowns have.
+  /// @param before  the others. @param x  their coefficients.
+  [[nodiscard]] Eigen::VectorXd projected(const AllUnknowns& before,
+                                          const Eigen::VectorXd& x) const;
+
  private:
   std::vector<std::size_t> which_;
   std::vector<JointUnknowns> joints_;
