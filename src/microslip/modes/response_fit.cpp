@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "microslip/algebra/cholesky.hpp"
-#include "microslip/algebra/qr.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/stopwatch.hpp"
+#include "microslip/modes/response_basis.hpp"
 
 namespace microslip {
 namespace {
@@ -40,117 +40,6 @@ constexpr double kFrequencySettled = 1e-12;
 constexpr double kLossSettled = 1e-8;
 constexpr double kFarthestStep = 0.5;  // of ln ω in half-widths, of ln η
 
-/// ln of ω (in units of the middle of the band) and η.
-struct Pole {
-  double log_frequency;
-  double log_loss;
-
-  [[nodiscard]] double frequency() const { return std::exp(log_frequency); }
-  [[nodiscard]] double loss() const { return std::exp(log_loss); }
-};
-
-/// Responses over the same ω with the same p, weighed; complex values as their parts, one below the
-/// other.
-struct Group {
-  VectorXd x;  // ω over the middle of the band
-  int derivatives;
-  std::vector<std::size_t> members;
-  MatrixXd values;  // 2N × members
-};
-
-/// Numerators that modes may have.
-enum class Numerators { kReal, kComplex };
-
-Index numerators_of(Numerators kind) { return kind == Numerators::kReal ? 1 : 2; }
-
-MatrixXd parts(const Eigen::MatrixXcd& values) {
-  MatrixXd both(2 * values.rows(), values.cols());
-  both << values.real(), values.imag();
-  return both;
-}
-
-Complex differentiated(double x, int derivatives) { return std::pow(Complex(0.0, x), derivatives); }
-
-Complex stiffness_at(const Pole& pole, double x, DampingLaw law) {
-  const double w = pole.frequency();
-  return modal_stiffness({.angular_frequency = w, .loss_factor = pole.loss()}, x, law);
-}
-
-/// b's factor in the numerator over a's.
-Complex second_factor(const Pole& pole, double x, DampingLaw law) {
-  return law == DampingLaw::kViscous ? Complex(0.0, x / pole.frequency()) : Complex(0.0, 1.0);
-}
-
-/// The columns of modes, then those of L and U.
-MatrixXd basis_of(const Group& group, std::span<const Pole> poles, DampingLaw law,
-                  Numerators kind) {
-  const Index each = numerators_of(kind);
-  const Index modes = static_cast<Index>(poles.size());
-  Eigen::MatrixXcd columns(group.x.size(), each * modes + 2);
-  for (Index i = 0; i < group.x.size(); ++i) {
-    const double x = group.x(i);
-    const Complex factor = differentiated(x, group.derivatives);
-    for (Index r = 0; r < modes; ++r) {
-      const Pole& pole = poles[static_cast<std::size_t>(r)];
-      columns(i, each * r) = factor / stiffness_at(pole, x, law);
-      if (each == 2) columns(i, each * r + 1) = columns(i, each * r) * second_factor(pole, x, law);
-    }
-    columns(i, each * modes) = -factor / (x * x);
-    columns(i, each * modes + 1) = factor;
-  }
-  return parts(columns);
-}
-
-/// Derivatives of the two columns of each mode with complex numerators by ln ω, then by ln η: 4 per
-/// mode. Parts parallel to a column of the basis are left out; they are projected away.
-MatrixXd slopes_of(const Group& group, std::span<const Pole> poles, DampingLaw law) {
-  Eigen::MatrixXcd columns(group.x.size(), 4 * static_cast<Index>(poles.size()));
-  for (Index i = 0; i < group.x.size(); ++i) {
-    const double x = group.x(i);
-    const Complex factor = differentiated(x, group.derivatives);
-    for (std::size_t r = 0; r < poles.size(); ++r) {
-      const double w = poles[r].frequency();
-      const Complex stiffness = stiffness_at(poles[r], x, law);
-      const Complex lost(0.0, stiffness.imag());
-      const double lost_by_frequency = law == DampingLaw::kViscous ? 1.0 : 2.0;
-      const Complex by_frequency = 2.0 * w * w + lost_by_frequency * lost;
-      const Complex column = -factor / (stiffness * stiffness);
-      const Complex second = second_factor(poles[r], x, law);
-      const Index at = 4 * static_cast<Index>(r);
-      columns(i, at) = column * by_frequency;
-      columns(i, at + 1) = column * by_frequency * second;
-      columns(i, at + 2) = column * lost;
-      columns(i, at + 3) = column * lost * second;
-    }
-  }
-  return parts(columns);
-}
-
-/// Least squares of a group: its coefficients, and what they leave.
-struct LinearFit {
-  MatrixXd basis_directions;  // Q
-  MatrixXd coefficients;      // columns of the basis × members
-  MatrixXd rest;
-  MatrixXd inverse;  // (ΦᵀΦ)⁻¹
-};
-
-LinearFit fit_linearly(const Group& group, const MatrixXd& basis) {
-  const VectorXd norms = basis.colwise().norm().transpose().cwiseMax(1e-300);
-  const MatrixXd scaled = basis * norms.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<MatrixXd> qr(scaled);
-  LinearFit fit;
-  fit.basis_directions = qr.householderQ() * MatrixXd::Identity(basis.rows(), basis.cols());
-  const auto triangle = qr.matrixQR().topRows(basis.cols()).template triangularView<Eigen::Upper>();
-  const MatrixXd projected = fit.basis_directions.transpose() * group.values;
-  fit.coefficients = norms.cwiseInverse().asDiagonal() * triangle.solve(projected);
-  fit.rest = group.values - fit.basis_directions * projected;
-  const MatrixXd inverse_triangle =
-      norms.cwiseInverse().asDiagonal() *
-      MatrixXd(triangle.solve(MatrixXd::Identity(basis.cols(), basis.cols())));
-  fit.inverse = inverse_triangle * inverse_triangle.transpose();
-  return fit;
-}
-
 /// Responses, and the search for modes in them.
 class ResponseSearch {
  public:
@@ -174,7 +63,7 @@ class ResponseSearch {
     weigh_by_rest();
     Summary summary = settle(kLongSearch);
     check_settled();
-    std::ranges::sort(poles_, {}, &Pole::log_frequency);
+    std::ranges::sort(poles_, {}, &ResponsePole::log_frequency);
     ResponseFit fit = result();
     fit.summary = std::move(summary);
     fit.summary.wall_seconds = watch.seconds();
@@ -220,23 +109,23 @@ class ResponseSearch {
       }
       groups_[at].members.push_back(j);
     }
-    for (Group& group : groups_) set_values(group);
+    for (ResponseGroup& group : groups_) set_values(group);
   }
 
-  void set_values(Group& group) const {
+  void set_values(ResponseGroup& group) const {
     Eigen::MatrixXcd values(group.x.size(), static_cast<Index>(group.members.size()));
     for (std::size_t m = 0; m < group.members.size(); ++m) {
       const BandResponse& response = responses_[group.members[m]];
       const Eigen::Map<const Eigen::VectorXcd> its(response.values.data(), values.rows());
       values.col(static_cast<Index>(m)) = its * (scale(response) * weights_[group.members[m]]);
     }
-    group.values = parts(values);
+    group.values = parts_of_complex(values);
   }
 
-  [[nodiscard]] double cost(std::span<const Pole> poles) const {
+  [[nodiscard]] double cost(std::span<const ResponsePole> poles) const {
     double sum = 0.0;
-    for (const Group& group : groups_) {
-      sum += fit_linearly(group, basis_of(group, poles, options_.law, Numerators::kComplex))
+    for (const ResponseGroup& group : groups_) {
+      sum += fit_linearly(group, response_basis(group, poles, options_.law, Numerators::kComplex))
                  .rest.squaredNorm();
     }
     return sum;
@@ -244,15 +133,15 @@ class ResponseSearch {
 
   [[nodiscard]] double power() const {
     double sum = 0.0;
-    for (const Group& group : groups_) sum += group.values.squaredNorm();
+    for (const ResponseGroup& group : groups_) sum += group.values.squaredNorm();
     return sum;
   }
 
   /// JᵀJ and Jᵀe of the unknowns ln ω_r, ln η_r.
-  void add_normal_equations(const Group& group, MatrixXd& square, VectorXd& slope) const {
+  void add_normal_equations(const ResponseGroup& group, MatrixXd& square, VectorXd& slope) const {
     const LinearFit fit =
-        fit_linearly(group, basis_of(group, poles_, options_.law, Numerators::kComplex));
-    MatrixXd slopes = slopes_of(group, poles_, options_.law);
+        fit_linearly(group, response_basis(group, poles_, options_.law, Numerators::kComplex));
+    MatrixXd slopes = response_slopes(group, poles_, options_.law);
     const Index modes = static_cast<Index>(poles_.size());
     const MatrixXd numerators = fit.coefficients.topRows(2 * modes);
     const MatrixXd along = slopes.transpose() * fit.rest;  // 4 per mode × members
@@ -272,8 +161,8 @@ class ResponseSearch {
     }
   }
 
-  [[nodiscard]] std::vector<Pole> moved(const VectorXd& step) const {
-    std::vector<Pole> poles = poles_;
+  [[nodiscard]] std::vector<ResponsePole> moved(const VectorXd& step) const {
+    std::vector<ResponsePole> poles = poles_;
     for (std::size_t r = 0; r < poles.size(); ++r) {
       const Index at = 2 * static_cast<Index>(r);
       const double farthest = kFarthestStep * std::min(1.0, poles[r].loss() + line_step());
@@ -307,7 +196,7 @@ class ResponseSearch {
       ++summary.iterations;
       MatrixXd square = MatrixXd::Zero(unknowns, unknowns);
       VectorXd slope = VectorXd::Zero(unknowns);
-      for (const Group& group : groups_) add_normal_equations(group, square, slope);
+      for (const ResponseGroup& group : groups_) add_normal_equations(group, square, slope);
       const VectorXd diagonal = square.diagonal().cwiseMax(1e-300);
       VectorXd step;
       bool better = false;
@@ -315,7 +204,7 @@ class ResponseSearch {
         MatrixXd damped = square;
         damped.diagonal() += damping * diagonal;
         step = -damped.ldlt().solve(slope);
-        std::vector<Pole> next = moved(step);
+        std::vector<ResponsePole> next = moved(step);
         const double there = cost(next);
         better = there < now;
         if (!better && !(there <= now * (1.0 + 1e-12))) continue;
@@ -345,7 +234,7 @@ class ResponseSearch {
   }
 
   /// With the width of the peak at half its height.
-  [[nodiscard]] static Pole peak_at(const VectorXd& x, const VectorXd& heights, Index top) {
+  [[nodiscard]] static ResponsePole peak_at(const VectorXd& x, const VectorXd& heights, Index top) {
     Index left = top;
     Index right = top;
     while (left > 0 && heights(left) > 0.5 * heights(top)) --left;
@@ -354,11 +243,11 @@ class ResponseSearch {
     return {std::log(x(top)), std::log(std::clamp(loss, 1e-6, 0.5 * kHighestLoss))};
   }
 
-  [[nodiscard]] Pole started_at(double x) const {
-    const Group& group = groups_.front();
+  [[nodiscard]] ResponsePole started_at(double x) const {
+    const ResponseGroup& group = groups_.front();
     Index nearest = 0;
     (group.x.array() - x).abs().minCoeff(&nearest);
-    Pole pole = peak_at(group.x, indicator(group.values), nearest);
+    ResponsePole pole = peak_at(group.x, indicator(group.values), nearest);
     pole.log_frequency = std::log(x);
     return pole;
   }
@@ -369,14 +258,15 @@ class ResponseSearch {
   }
 
   /// The highest peak of what is left.
-  [[nodiscard]] std::optional<Pole> next_peak() const {
-    std::optional<Pole> found;
+  [[nodiscard]] std::optional<ResponsePole> next_peak() const {
+    std::optional<ResponsePole> found;
     double highest = 0.0;
-    for (const Group& group : groups_) {
+    for (const ResponseGroup& group : groups_) {
       MatrixXd rest = group.values;
       if (!poles_.empty()) {
         rest =
-            fit_linearly(group, basis_of(group, poles_, options_.law, Numerators::kComplex)).rest;
+            fit_linearly(group, response_basis(group, poles_, options_.law, Numerators::kComplex))
+                .rest;
       }
       const VectorXd heights = indicator(rest);
       for (Index i = 1; i + 1 < heights.size(); ++i) {
@@ -394,12 +284,12 @@ class ResponseSearch {
 
   [[nodiscard]] double freedom() const {
     double values = 0.0;
-    for (const Group& group : groups_) values += static_cast<double>(group.values.size());
+    for (const ResponseGroup& group : groups_) values += static_cast<double>(group.values.size());
     const std::size_t unknowns = poles_.size() * unknowns_of_mode() + 2 * responses_.size();
     return std::max(1.0, values - static_cast<double>(unknowns));
   }
 
-  [[nodiscard]] bool in_band(const Pole& pole) const {
+  [[nodiscard]] bool in_band(const ResponsePole& pole) const {
     const double omega = pole.frequency() * middle_;
     const double width = pole.loss() * omega;
     return omega > lowest_ && omega < highest_ && pole.loss() < kHighestLoss &&
@@ -410,8 +300,8 @@ class ResponseSearch {
   [[nodiscard]] double share_of(std::size_t mode) const {
     double own = 0.0;
     double all = 0.0;
-    for (const Group& group : groups_) {
-      const MatrixXd basis = basis_of(group, poles_, options_.law, Numerators::kComplex);
+    for (const ResponseGroup& group : groups_) {
+      const MatrixXd basis = response_basis(group, poles_, options_.law, Numerators::kComplex);
       const LinearFit fit = fit_linearly(group, basis);
       Index i = 0;
       (group.x.array() - poles_[mode].frequency()).abs().minCoeff(&i);
@@ -426,10 +316,10 @@ class ResponseSearch {
 
   /// Re N of the drive point for each pole, weighed.
   [[nodiscard]] VectorXd drive_residues() const {
-    for (const Group& group : groups_) {
+    for (const ResponseGroup& group : groups_) {
       const auto member = std::ranges::find(group.members, options_.drive);
       if (member == group.members.end()) continue;
-      const MatrixXd basis = basis_of(group, poles_, options_.law, Numerators::kReal);
+      const MatrixXd basis = response_basis(group, poles_, options_.law, Numerators::kReal);
       const Index modes = static_cast<Index>(poles_.size());
       return fit_linearly(group, basis)
           .coefficients.col(member - group.members.begin())
@@ -440,7 +330,8 @@ class ResponseSearch {
 
   /// Whether the mode that was added last is one; `before` is the cost without it.
   [[nodiscard]] bool shows(double before) {
-    if (!std::ranges::all_of(poles_, [&](const Pole& pole) { return in_band(pole); })) return false;
+    if (!std::ranges::all_of(poles_, [&](const ResponsePole& pole) { return in_band(pole); }))
+      return false;
     const double now = cost(poles_);
     const double explained = (before - now) / static_cast<double>(unknowns_of_mode());
     if (!(explained > kShows * now / freedom())) return false;
@@ -465,7 +356,7 @@ class ResponseSearch {
   }
 
   void check_settled() const {
-    for (const Pole& pole : poles_) {
+    for (const ResponsePole& pole : poles_) {
       if (in_band(pole)) continue;
       throw InputError("a mode of the frequency responses",
                        fmt::format("{:.6g} Hz with a loss factor of {:.3g}",
@@ -481,9 +372,9 @@ class ResponseSearch {
     const double all = power();
     const std::size_t wanted = options_.count.value_or(kMostFitted);
     while (poles_.size() < wanted && refused_.size() < kMostRefused) {
-      const std::optional<Pole> peak = next_peak();
+      const std::optional<ResponsePole> peak = next_peak();
       if (!peak) break;
-      const std::vector<Pole> before = poles_;
+      const std::vector<ResponsePole> before = poles_;
       const double cost_before = poles_.empty() ? all : cost(poles_);
       if (std::sqrt(cost_before / all) < kNothingLeft) break;
       poles_.push_back(*peak);
@@ -513,9 +404,10 @@ class ResponseSearch {
 
   /// Each response by what is left of it: the weights of greatest likelihood.
   void weigh_by_rest() {
-    for (const Group& group : groups_) {
+    for (const ResponseGroup& group : groups_) {
       const MatrixXd rest =
-          fit_linearly(group, basis_of(group, poles_, options_.law, Numerators::kComplex)).rest;
+          fit_linearly(group, response_basis(group, poles_, options_.law, Numerators::kComplex))
+              .rest;
       for (std::size_t m = 0; m < group.members.size(); ++m) {
         const auto column = static_cast<Index>(m);
         const double misfit = rest.col(column).norm() / group.values.col(column).norm();
@@ -526,7 +418,7 @@ class ResponseSearch {
   }
 
   /// N of a + b iω/ω_r at the pole, or of a + ib.
-  [[nodiscard]] Complex numerator_of(const Pole& pole, double a, double b) const {
+  [[nodiscard]] Complex numerator_of(const ResponsePole& pole, double a, double b) const {
     if (options_.law == DampingLaw::kHysteretic) return {a, b};
     const double ratio = 0.5 * pole.loss();
     return a + b * Complex(-ratio, std::sqrt(std::max(0.0, 1.0 - ratio * ratio)));
@@ -537,7 +429,7 @@ class ResponseSearch {
     const Index unknowns = 2 * static_cast<Index>(poles_.size());
     MatrixXd square = MatrixXd::Zero(unknowns, unknowns);
     VectorXd slope = VectorXd::Zero(unknowns);
-    for (const Group& group : groups_) add_normal_equations(group, square, slope);
+    for (const ResponseGroup& group : groups_) add_normal_equations(group, square, slope);
     const MatrixXd inverse = square.ldlt().solve(MatrixXd::Identity(unknowns, unknowns));
     return inverse * (cost(poles_) / freedom());
   }
@@ -552,12 +444,12 @@ class ResponseSearch {
     fit.upper.resize(count);
     fit.misfits.resize(responses_.size());
     fit.undriven = undriven_;
-    for (const Pole& pole : poles_) {
+    for (const ResponsePole& pole : poles_) {
       fit.modes.push_back(
           {.angular_frequency = pole.frequency() * middle_, .loss_factor = pole.loss()});
     }
     const MatrixXd covariance = pole_covariance();
-    for (const Group& group : groups_) set_residues(group, covariance, fit);
+    for (const ResponseGroup& group : groups_) set_residues(group, covariance, fit);
     return fit;
   }
 
@@ -572,12 +464,13 @@ class ResponseSearch {
     return -real.inverse * (basis.transpose() * by_pole);
   }
 
-  void set_residues(const Group& group, const MatrixXd& covariance, ResponseFit& fit) const {
-    const MatrixXd basis = basis_of(group, poles_, options_.law, Numerators::kReal);
-    const MatrixXd slopes = slopes_of(group, poles_, options_.law);
+  void set_residues(const ResponseGroup& group, const MatrixXd& covariance,
+                    ResponseFit& fit) const {
+    const MatrixXd basis = response_basis(group, poles_, options_.law, Numerators::kReal);
+    const MatrixXd slopes = response_slopes(group, poles_, options_.law);
     const LinearFit real = fit_linearly(group, basis);
     const LinearFit complex =
-        fit_linearly(group, basis_of(group, poles_, options_.law, Numerators::kComplex));
+        fit_linearly(group, response_basis(group, poles_, options_.law, Numerators::kComplex));
     const Index modes = static_cast<Index>(poles_.size());
     for (std::size_t m = 0; m < group.members.size(); ++m) {
       const auto member = static_cast<Index>(m);
@@ -592,7 +485,7 @@ class ResponseSearch {
       fit.upper(j) = real.coefficients(modes + 1, member) * unweighed;
       for (Index r = 0; r < modes; ++r) {
         const double to_si = unweighed * middle_ * middle_;
-        const Pole& pole = poles_[static_cast<std::size_t>(r)];
+        const ResponsePole& pole = poles_[static_cast<std::size_t>(r)];
         fit.residues(j, r) = real.coefficients(r, member) * to_si;
         const double of_poles = by_poles.row(r) * covariance * by_poles.row(r).transpose();
         fit.errors(j, r) =
@@ -609,8 +502,8 @@ class ResponseSearch {
   double highest_ = 0.0;  // rad/s
   double middle_ = 1.0;   // rad/s
   std::vector<double> weights_;
-  std::vector<Group> groups_;
-  std::vector<Pole> poles_;
+  std::vector<ResponseGroup> groups_;
+  std::vector<ResponsePole> poles_;
   std::vector<double> refused_;
   std::vector<double> undriven_;
 };
