@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/report/drawing/figure.hpp"
-#include "microslip/workflow/results/calibration_results.hpp"
+#include "microslip/workflow/identify/calibration_results.hpp"
 
 /// @file
 /// Modes and joints as layers, in SI units. Internal to report.

@@ -3,110 +3,110 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+#include "microslip/workflow/identify/calibration_columns.hpp"
 
 namespace microslip {
 namespace {
 
-/// Numbers of the levels that were found.
-template <typename Read>
-std::vector<double> of_found(const CalibrationResult& found, const Read& read) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < found.levels.size(); ++i) {
-    if (found.levels[i].found) values.push_back(read(i, found.levels[i]));
-  }
-  return values;
+std::vector<double> numbers_of(const std::vector<std::size_t>& counts) {
+  return {counts.begin(), counts.end()};
 }
 
-void add_where_known(CsvWriter& table, const std::string& name, const Dimension& dimension,
-                     const std::vector<double>& values) {
+/// All columns but those that are not known at some level.
+template <typename Record>
+void add_where_known(const Record& record, const ResultColumn<Record>& column,
+                     std::string_view name, CsvWriter& table) {
+  const std::vector<double>& values = record.*column.values;
   if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return;
-  table.add_numbers(name, dimension, values);
+  table.add_numbers(name, column.dimension, values);
 }
 
-void add_joint_columns(CsvWriter& table, const CalibrationResult& found, std::size_t joint,
-                       const std::string& name) {
-  const auto column = [&](const std::string& label, const Dimension& dimension, const auto& read) {
-    add_where_known(table, label + name, dimension,
-                    of_found(found, [&](std::size_t, const CalibratedLevel& level) {
-                      return read(level.joints[joint]);
-                    }));
-  };
-  column("amplitude_", kLength, [](const JointAtLevel& at) { return at.amplitude; });
-  column("measured_amplitude_", kLength,
-         [](const JointAtLevel& at) { return at.measured_amplitude; });
-  column("dissipation_", kEnergy, [](const JointAtLevel& at) { return at.dissipation.value; });
-  column("dissipation_lower_", kEnergy,
-         [](const JointAtLevel& at) { return at.dissipation.lower; });
-  column("dissipation_upper_", kEnergy,
-         [](const JointAtLevel& at) { return at.dissipation.upper; });
+void append_level(const JointAtLevel& at, JointOverLevels& joint) {
+  joint.amplitude.push_back(at.amplitude);
+  joint.measured_amplitude.push_back(at.measured_amplitude);
+  joint.dissipation.push_back(at.dissipation.value);
+  joint.dissipation_lower.push_back(at.dissipation.lower);
+  joint.dissipation_upper.push_back(at.dissipation.upper);
+}
+
+/// The levels that the structure has; NaN where something is not known.
+LevelsOfModes levels_of_modes(const CalibrationResult& found, const ModalLevels& levels,
+                              const std::vector<std::string>& joints) {
+  LevelsOfModes all;
+  for (const std::string& name : joints) all.joints.push_back({.name = name});
+  for (std::size_t i = 0; i < found.levels.size(); ++i) {
+    const CalibratedLevel& level = found.levels[i];
+    if (!level.found) continue;
+    all.level.push_back(i + 1);
+    all.mode.push_back(levels.mode[i] + 1);
+    all.displacement.push_back(levels.displacement[i]);
+    all.measured_frequency.push_back(level.measured_frequency);
+    all.measured_frequency_std.push_back(ModalLevels::value(levels.frequency_std, i));
+    all.frequency.push_back(level.frequency);
+    all.frequency_residual.push_back(level.frequency_residual);
+    all.measured_dissipation.push_back(level.measured_dissipation);
+    all.measured_dissipation_std.push_back(level.measured_dissipation_std);
+    all.dissipation.push_back(level.dissipation);
+    all.residual.push_back(level.residual);
+    all.measured_damping_ratio.push_back(ModalLevels::value(levels.damping_ratio, i));
+    all.measured_damping_ratio_std.push_back(ModalLevels::value(levels.damping_ratio_std, i));
+    all.damping_ratio.push_back(level.damping_ratio);
+    for (std::size_t j = 0; j < joints.size(); ++j) append_level(level.joints[j], all.joints[j]);
+  }
+  return all;
+}
+
+DensityFound density_of(const CalibratedJoint& joint) {
+  const double k = joint.stiffness.value;
+  DensityFound found{.name = joint.name,
+                     .slip_displacement = joint.slip_displacement,
+                     .lower = joint.band.lower,
+                     .upper = joint.band.upper,
+                     .variance_reduction = joint.variance_reduction};
+  for (const double at : joint.slip_displacement) found.slip_force.push_back(k * at);
+  for (const double density : joint.density) found.density.push_back(density / (k * k));
+  return found;
 }
 
 }  // namespace
 
 CsvWriter calibration_table(const CalibrationResult& found, const ModalLevels& levels,
                             const std::vector<std::string>& joints) {
+  const LevelsOfModes all = levels_of_modes(found, levels, joints);
   CsvWriter table;
-  const auto add = [&](const std::string& name, const Dimension& dimension, const auto& read) {
-    add_where_known(table, name, dimension, of_found(found, read));
-  };
-  using Level = CalibratedLevel;
-  add("level", kDimensionless,
-      [](std::size_t i, const Level&) { return static_cast<double>(i + 1); });
-  add("mode", kDimensionless,
-      [&](std::size_t i, const Level&) { return static_cast<double>(levels.mode[i] + 1); });
-  add("displacement", kLength, [&](std::size_t i, const Level&) { return levels.displacement[i]; });
-  add("measured_frequency", kFrequency,
-      [](std::size_t, const Level& level) { return level.measured_frequency; });
-  add("measured_frequency_std", kFrequency,
-      [&](std::size_t i, const Level&) { return ModalLevels::value(levels.frequency_std, i); });
-  add("frequency", kFrequency, [](std::size_t, const Level& level) { return level.frequency; });
-  add("frequency_residual", kDimensionless,
-      [](std::size_t, const Level& level) { return level.frequency_residual; });
-  add("measured_dissipation", kEnergy,
-      [](std::size_t, const Level& level) { return level.measured_dissipation; });
-  add("measured_dissipation_std", kEnergy,
-      [](std::size_t, const Level& level) { return level.measured_dissipation_std; });
-  add("dissipation", kEnergy, [](std::size_t, const Level& level) { return level.dissipation; });
-  add("residual", kDimensionless, [](std::size_t, const Level& level) { return level.residual; });
-  add("measured_damping_ratio", kDimensionless,
-      [&](std::size_t i, const Level&) { return ModalLevels::value(levels.damping_ratio, i); });
-  add("measured_damping_ratio_std", kDimensionless,
-      [&](std::size_t i, const Level&) { return ModalLevels::value(levels.damping_ratio_std, i); });
-  add("damping_ratio", kDimensionless,
-      [](std::size_t, const Level& level) { return level.damping_ratio; });
-  for (std::size_t j = 0; j < joints.size(); ++j) add_joint_columns(table, found, j, joints[j]);
+  table.add_numbers("level", kDimensionless, numbers_of(all.level));
+  table.add_numbers("mode", kDimensionless, numbers_of(all.mode));
+  table.add_numbers("displacement", kLength, all.displacement);
+  for (const auto& column : kLevelColumns) {
+    add_where_known(all, column, column.name, table);
+  }
+  for (const JointOverLevels& joint : all.joints) {
+    for (const auto& column : kJointColumns) {
+      add_where_known(joint, column, std::string(column.name) + joint.name, table);
+    }
+  }
   return table;
 }
 
 CsvWriter identifiability_table(const CalibrationResult& found) {
   std::vector<std::string> name;
-  std::vector<double> force;
-  std::vector<double> displacement;
-  std::vector<double> density;
-  std::vector<double> lower;
-  std::vector<double> upper;
-  std::vector<double> reduction;
+  DensityFound rows;
   for (const CalibratedJoint& joint : found.joints) {
-    const double k = joint.stiffness.value;
-    for (std::size_t i = 0; i < joint.slip_displacement.size(); ++i) {
-      name.push_back(joint.name);
-      force.push_back(k * joint.slip_displacement[i]);
-      displacement.push_back(joint.slip_displacement[i]);
-      density.push_back(joint.density[i] / (k * k));
-      lower.push_back(joint.band.lower[i]);
-      upper.push_back(joint.band.upper[i]);
-      reduction.push_back(joint.variance_reduction[i]);
+    const DensityFound one = density_of(joint);
+    name.insert(name.end(), one.slip_force.size(), one.name);
+    for (const auto& column : kDensityColumns) {
+      std::ranges::copy(one.*column.values, std::back_inserter(rows.*column.values));
     }
   }
   CsvWriter table;
   table.add_text("joint", name);
-  table.add_numbers("slip_force", kForce, force);
-  table.add_numbers("slip_displacement", kLength, displacement);
-  table.add_numbers("density", kPerForce, density);
-  table.add_numbers("lower", kPerForce, lower);
-  table.add_numbers("upper", kPerForce, upper);
-  table.add_numbers("told", kDimensionless, reduction);
+  for (const auto& column : kDensityColumns) {
+    table.add_numbers(column.name, column.dimension, rows.*column.values);
+  }
   return table;
 }
 

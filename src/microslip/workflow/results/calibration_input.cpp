@@ -2,20 +2,29 @@
 #include "microslip/workflow/results/calibration_input.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/workflow/identify/assembly_levels.hpp"
+#include "microslip/workflow/identify/calibration_columns.hpp"
 #include "microslip/workflow/results/sampled_curves.hpp"
 
 namespace microslip {
 namespace {
 
 constexpr double kMostModes = 1e6;
+
+/// Of modal_levels.csv, of each joint.
+constexpr std::array kMeasuredOfJoints{
+    ResultColumn<JointOverLevels>{"amplitude_", kLength, &JointOverLevels::measured_amplitude},
+    ResultColumn<JointOverLevels>{"dissipation_", kEnergy, &JointOverLevels::measured_dissipation},
+};
 
 /// Numbers of modes, from 1, and the displacement that is drawn over.
 LevelsOfModes levels_with_modes(const CsvTable& table) {
@@ -41,39 +50,33 @@ void add_joint_column(std::vector<JointOverLevels>& joints, const std::string& n
   (*joint).*column = std::move(values);
 }
 
-/// A column whose name begins with `prefix` and goes on with that of a joint.
-struct JointColumn {
-  std::string_view prefix;
-  const Dimension* dimension;
-  std::vector<double> JointOverLevels::*values;
-};
-
-/// @param columns  longer prefixes before those that they begin with.
-void add_joint_columns(const CsvTable& table, const std::vector<JointColumn>& columns,
+/// Columns of joints, each by the longest name that it begins with.
+void add_joint_columns(const CsvTable& table,
+                       std::span<const ResultColumn<JointOverLevels>> columns,
                        const std::vector<std::string_view>& not_joints, LevelsOfModes& levels) {
   for (const CsvColumn& column : table.columns()) {
     if (std::ranges::find(not_joints, column.name) != not_joints.end()) continue;
-    const auto is_of = [&](const JointColumn& of) {
-      return column.name.starts_with(of.prefix) && column.name.size() > of.prefix.size();
-    };
-    const auto of = std::ranges::find_if(columns, is_of);
-    if (of == columns.end()) continue;
-    add_joint_column(levels.joints, column.name.substr(of->prefix.size()), of->values,
-                     table.numbers(column.name, *of->dimension));
+    const ResultColumn<JointOverLevels>* of = nullptr;
+    for (const ResultColumn<JointOverLevels>& one : columns) {
+      const bool fits = column.name.starts_with(one.name) && column.name.size() > one.name.size();
+      if (fits && (of == nullptr || one.name.size() > of->name.size())) of = &one;
+    }
+    if (of == nullptr) continue;
+    add_joint_column(levels.joints, column.name.substr(of->name.size()), of->values,
+                     table.numbers(column.name, of->dimension));
   }
 }
 
-/// Reads what was measured. @param prefix  of the names of these columns.
-void read_measured(const CsvTable& table, const std::string& prefix, LevelsOfModes& levels) {
-  const auto read = [&](const char* name, const Dimension& dimension) {
-    return table.numbers_if_present(prefix + name, dimension);
-  };
-  levels.measured_frequency = read("frequency", kFrequency);
-  levels.measured_frequency_std = read("frequency_std", kFrequency);
-  levels.measured_dissipation = read("dissipation", kEnergy);
-  levels.measured_dissipation_std = read("dissipation_std", kEnergy);
-  levels.measured_damping_ratio = read("damping_ratio", kDimensionless);
-  levels.measured_damping_ratio_std = read("damping_ratio_std", kDimensionless);
+/// @param rows  of all joints. @param joint  of this row, with those before.
+void check_density_row(const CsvTable& table, std::size_t row, const DensityFound& rows,
+                       const DensityFound& joint) {
+  if (!joint.slip_force.empty() && !(rows.slip_force[row] > joint.slip_force.back())) {
+    table.reject(row, "slip_force", "rising slip forces of each joint");
+  }
+  if (rows.lower[row] > rows.upper[row]) table.reject(row, "lower", "at most `upper`");
+  if (rows.variance_reduction.empty()) return;
+  const double reduction = rows.variance_reduction[row];
+  if (!(reduction >= 0.0 && reduction <= 1.0)) table.reject(row, "told", "from 0 to 1");
 }
 
 }  // namespace
@@ -81,34 +84,28 @@ void read_measured(const CsvTable& table, const std::string& prefix, LevelsOfMod
 LevelsOfModes calibrated_levels_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   LevelsOfModes levels = levels_with_modes(table);
-  read_measured(table, "measured_", levels);
-  levels.frequency = table.numbers("frequency", kFrequency);
-  levels.frequency_residual = table.numbers_if_present("frequency_residual", kDimensionless);
-  levels.dissipation = table.numbers("dissipation", kEnergy);
-  levels.residual = table.numbers_if_present("residual", kDimensionless);
-  levels.damping_ratio = table.numbers("damping_ratio", kDimensionless);
-  add_joint_columns(table,
-                    {{"measured_amplitude_", &kLength, &JointOverLevels::measured_amplitude},
-                     {"amplitude_", &kLength, &JointOverLevels::amplitude},
-                     {"dissipation_lower_", &kEnergy, &JointOverLevels::dissipation_lower},
-                     {"dissipation_upper_", &kEnergy, &JointOverLevels::dissipation_upper},
-                     {"dissipation_", &kEnergy, &JointOverLevels::dissipation}},
-                    {}, levels);
+  for (const auto& column : kLevelColumns) {
+    const std::string name(column.name);
+    levels.*column.values = column.needed ? table.numbers(name, column.dimension)
+                                          : table.numbers_if_present(name, column.dimension);
+  }
+  add_joint_columns(table, kJointColumns, {}, levels);
   return levels;
 }
 
 LevelsOfModes modal_levels_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   LevelsOfModes levels = levels_with_modes(table);
-  read_measured(table, "", levels);
+  for (const auto& column : kLevelColumns) {
+    if (!column.name.starts_with(kMeasured)) continue;
+    levels.*column.values = table.numbers_if_present(
+        std::string(column.name.substr(kMeasured.size())), column.dimension);
+  }
   std::vector<std::string_view> not_joints;
   for (const CsvColumn& column : table.columns()) {
     if (column.name.ends_with("_std")) not_joints.emplace_back(column.name);
   }
-  add_joint_columns(table,
-                    {{"amplitude_", &kLength, &JointOverLevels::measured_amplitude},
-                     {"dissipation_", &kEnergy, &JointOverLevels::measured_dissipation}},
-                    not_joints, levels);
+  add_joint_columns(table, kMeasuredOfJoints, not_joints, levels);
   return levels;
 }
 
@@ -116,30 +113,24 @@ std::vector<DensityFound> densities_of(const NamedInput& input) {
   const CsvTable table(input.text, input.path);
   const bool of_assemblies = table.has("assembly");
   const std::vector<std::string> joint = table.text(of_assemblies ? "assembly" : "joint");
-  const std::vector<double> force = table.numbers("slip_force", kForce);
-  const std::vector<double> density = table.numbers("density", kPerForce);
-  const std::vector<double> lower = table.numbers("lower", kPerForce);
-  const std::vector<double> upper = table.numbers("upper", kPerForce);
-  const std::vector<double> reduction =
-      of_assemblies ? std::vector<double>{} : table.numbers("told", kDimensionless);
+  DensityFound rows;
+  for (const auto& column : kDensityColumns) {
+    if (of_assemblies && !column.needed) continue;
+    rows.*column.values = table.numbers(std::string(column.name), column.dimension);
+  }
   std::vector<DensityFound> found;
   for (std::size_t row = 0; row < joint.size(); ++row) {
     auto of = std::ranges::find(found, joint[row], &DensityFound::name);
     if (of == found.end()) of = found.insert(found.end(), DensityFound{.name = joint[row]});
-    if (!of->slip_force.empty() && !(force[row] > of->slip_force.back())) {
-      table.reject(row, "slip_force", "rising slip forces of each joint");
-    }
-    if (lower[row] > upper[row]) table.reject(row, "lower", "at most `upper`");
-    of->slip_force.push_back(force[row]);
-    of->density.push_back(density[row]);
+    check_density_row(table, row, rows, *of);
     // Of assemblies one band is looked at, which all others are in.
-    if (!of_assemblies || joint[row] == kNextAssembly) {
-      of->lower.push_back(lower[row]);
-      of->upper.push_back(upper[row]);
+    const bool has_band = !of_assemblies || joint[row] == kNextAssembly;
+    for (const auto& column : kDensityColumns) {
+      const bool of_band =
+          column.values == &DensityFound::lower || column.values == &DensityFound::upper;
+      const std::vector<double>& values = rows.*column.values;
+      if (!values.empty() && (has_band || !of_band)) ((*of).*column.values).push_back(values[row]);
     }
-    if (of_assemblies) continue;
-    if (!(reduction[row] >= 0.0 && reduction[row] <= 1.0)) table.reject(row, "told", "from 0 to 1");
-    of->variance_reduction.push_back(reduction[row]);
   }
   return found;
 }

@@ -6,7 +6,7 @@
 
 #include "microslip/documents/joint/identified_joint.hpp"
 #include "microslip/io/output/provenance.hpp"
-#include "microslip/workflow/results/calibration_results.hpp"
+#include "microslip/workflow/identify/calibration_results.hpp"
 
 /// @file
 /// The files that calibrate writes, and modal_levels.csv, as results. Internal to workflow.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "microslip/documents/joint/joint_samples_file.hpp"
-#include "microslip/workflow/results/calibration_results.hpp"
+#include "microslip/workflow/identify/calibration_results.hpp"
 
 /// @file
 /// Draws of a joint as curves.

@@ -10,11 +10,12 @@
 
 #include "microslip/base/summary.hpp"
 #include "microslip/documents/joint/identified_joint.hpp"
+#include "microslip/documents/study/calibration_summary.hpp"
 #include "microslip/identify/methods/identification.hpp"
 #include "microslip/joint/joint.hpp"
 #include "microslip/rig/setup/rig.hpp"
+#include "microslip/workflow/identify/calibration_results.hpp"
 #include "microslip/workflow/reduce/measured_levels.hpp"
-#include "microslip/workflow/results/calibration_results.hpp"
 #include "microslip/workflow/results/comparison_results.hpp"
 #include "microslip/workflow/results/predicted_curves.hpp"
 

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "microslip/documents/study/calibration_summary.hpp"
-
 /// @file
 /// Results of a calibration: joints that were identified from levels of modes. All values are SI.
 
@@ -26,6 +24,7 @@ struct JointOverLevels {
 /// Levels of modes, measured and where known found. `mode` and `displacement` have one entry per
 /// level, each other vector as many or none.
 struct LevelsOfModes {
+  std::vector<std::size_t> level = {};                  ///< in the file, from 1; may be empty
   std::vector<std::size_t> mode = {};                   ///< from 1
   std::vector<double> displacement = {};                ///< at the response point, m
   std::vector<double> measured_frequency = {};          ///< Hz
@@ -47,6 +46,7 @@ struct LevelsOfModes {
 struct DensityFound {
   std::string name = {};                        ///< of the joint
   std::vector<double> slip_force = {};          ///< f*, N; rising
+  std::vector<double> slip_displacement = {};   ///< x* = f*/k, m; may be empty
   std::vector<double> density = {};             ///< φ, 1/N
   std::vector<double> lower = {};               ///< of its band, 1/N
   std::vector<double> upper = {};               ///< of its band, 1/N
