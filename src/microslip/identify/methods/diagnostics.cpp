@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -156,7 +157,7 @@ void diagnose_repeats(const MergedLevels& merged, std::vector<Warning>& warnings
 }
 
 /// An error of k moves all k_eq alike, and the resonances with them.
-void diagnose_stiffness(const InversionResult& result, double stiffness,
+void diagnose_stiffness(const InversionResult& result, double stiffness, SecantOf secant,
                         std::vector<Warning>& warnings) {
   if (result.fitted_secant_stiffness.empty()) {
     if (result.area >= kLeastSlip) return;
@@ -167,9 +168,10 @@ void diagnose_stiffness(const InversionResult& result, double stiffness,
                      percent_text(result.area), stiffness)});
     return;
   }
-  const SecantEvidence secant{result.secant_offset, result.secant_offset_std,
-                              result.secant_scatter};
-  auto offset = diagnose_offset(secant, stiffness, 1.0 - result.area);
+  if (secant == SecantOf::kFinal) return;
+  const SecantEvidence evidence{result.secant_offset, result.secant_offset_std,
+                                result.secant_scatter};
+  auto offset = diagnose_offset(evidence, stiffness, 1.0 - result.area);
   if (offset) warnings.push_back(std::move(*offset));
 }
 
@@ -325,7 +327,6 @@ void check_levels_of(const InversionResult& result, const LevelEvidence& evidenc
 
 std::vector<Warning> diagnose(const LevelEvidence& evidence) {
   std::vector<Warning> warnings;
-  const Levels& levels = evidence.measured();
   const MergedLevels& merged = evidence.merged();
   const std::size_t distinct = merged.levels.size();
   if (distinct < kEnoughLevels) {
@@ -342,6 +343,15 @@ std::vector<Warning> diagnose(const LevelEvidence& evidence) {
                      "the density only between kA of these. Measure at lower and higher levels.",
                      amplitude.front(), amplitude.back())});
   }
+  std::ranges::move(diagnose_beside_others(evidence), std::back_inserter(warnings));
+  return warnings;
+}
+
+std::vector<Warning> diagnose_beside_others(const LevelEvidence& evidence) {
+  std::vector<Warning> warnings;
+  const Levels& levels = evidence.measured();
+  const MergedLevels& merged = evidence.merged();
+  const std::size_t distinct = merged.levels.size();
   if (distinct < levels.size()) {
     warnings.push_back(
         {"amplitudes_merged", fmt::format("{} levels have {} different amplitudes; equal ones were "
@@ -363,7 +373,7 @@ std::vector<Warning> diagnose(const LevelEvidence& evidence) {
 }
 
 std::vector<Warning> diagnose(const InversionResult& result, const LevelEvidence& evidence,
-                              double stiffness, const InversionOptions& options) {
+                              double stiffness, const InversionOptions& options, SecantOf secant) {
   result.check();
   check_levels_of(result, evidence);
   const Inverted inverted{evidence, result, stiffness};
@@ -386,7 +396,7 @@ std::vector<Warning> diagnose(const InversionResult& result, const LevelEvidence
              "1. k is too low (try {:.4g} N/m or more), or D too large or A too small.",
              stiffness, result.unlimited_area, stiffness * result.unlimited_area)});
   }
-  diagnose_stiffness(result, stiffness, warnings);
+  diagnose_stiffness(result, stiffness, secant, warnings);
   diagnose_scatter(result, warnings);
   diagnose_ends(inverted, warnings);
   if (result.inner_not_converged > 0) {

@@ -24,6 +24,15 @@ namespace microslip {
 ///                           plausibility.hpp.
 [[nodiscard]] std::vector<Warning> diagnose(const LevelEvidence& evidence);
 
+/// The same of levels beside other evidence, which neither `few_levels` nor `narrow_range` concern.
+[[nodiscard]] std::vector<Warning> diagnose_beside_others(const LevelEvidence& evidence);
+
+/// Which joint the secant stiffnesses are compared with.
+enum class SecantOf {
+  kInversion,  ///< that of the inversion
+  kFinal,      ///< the final one, by diagnose() of StiffnessEvidence: without `secant_inconsistent`
+};
+
 /// Warnings of an inversion:
 ///   * `density_negative`        without the limit φ would be significantly negative
 ///                               [AR14 Fig. B1];
@@ -45,10 +54,12 @@ namespace microslip {
 /// @param evidence   that was inverted.
 /// @param stiffness  k, N/m.
 /// @param options    of the inversion.
+/// @param secant     which joint `secant_inconsistent` is of.
 /// @throws InputError  where the result is not one of invert() or has another number of levels.
 [[nodiscard]] std::vector<Warning> diagnose(const InversionResult& result,
                                             const LevelEvidence& evidence, double stiffness,
-                                            const InversionOptions& options);
+                                            const InversionOptions& options,
+                                            SecantOf secant = SecantOf::kInversion);
 
 /// Warnings of records and levels together. Of each record that is not of a Masing joint under
 /// constant normal load:

@@ -65,7 +65,8 @@ Identification by_inversion(const LevelEvidence& evidence, double stiffness,
   found.density = result.density;
   found.linear_damping = result.linear_damping;
   found.summary = result.summary;
-  append(found.warnings, diagnose(result, evidence, stiffness, options.inversion));
+  append(found.warnings,
+         diagnose(result, evidence, stiffness, options.inversion, SecantOf::kFinal));
   if (options.bands) {
     Stopwatch watch;
     inverted.samples = result.posterior.samples(options.bands->seed, options.bands->samples,
@@ -164,7 +165,6 @@ void judge_stiffness(const LevelEvidence& levels, Identification& found) {
     };
   }
   found.stiffness = stiffness_evidence(levels, found.joint, softest);
-  std::erase_if(found.warnings, [](const Warning& w) { return w.code == "secant_inconsistent"; });
   for (Warning& warning : diagnose(found.stiffness, found.joint)) {
     // Smoothing may keep the joint of an inversion from k_eq: verdicts are of any joint.
     if (inversion && warning.code == "secant_misfit") continue;
@@ -177,10 +177,7 @@ void judge_stiffness(const LevelEvidence& levels, Identification& found) {
 std::vector<Warning> warnings_of_table(const JointEvidence& evidence, std::size_t table,
                                        const Joint& joint) {
   const LevelEvidence& levels = evidence.levels[table];
-  std::vector<Warning> warnings = diagnose(levels);
-  std::erase_if(warnings, [](const Warning& warning) {
-    return warning.code == "few_levels" || warning.code == "narrow_range";
-  });
+  std::vector<Warning> warnings = diagnose_beside_others(levels);
   append(warnings, diagnose(stiffness_evidence(levels, joint), joint));
   if (const auto order = judge_order(levels, joint)) append(warnings, diagnose({*order}));
   for (Warning& warning : warnings) {

@@ -75,9 +75,8 @@ class RigJoint : public CampaignJoints {
       }
     }
     all.found.converged = found.summary.converged();
-    Identification described = found;  // whose warnings are among those of all
-    described.warnings.clear();
-    all.found.summary = describe_identification(described, identified_->count);
+    // Its warnings are among those of all.
+    all.found.summary = describe_identification(found, identified_->count, {});
     std::ranges::copy(all.levels.warnings, std::back_inserter(all.warnings));
     std::ranges::copy(found.warnings, std::back_inserter(all.warnings));
     add_joint_warnings(kJointName, joint_, all.warnings);

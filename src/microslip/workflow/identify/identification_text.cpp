@@ -209,6 +209,11 @@ std::string describe_density(const Identification& found) {
 }  // namespace
 
 std::string describe_identification(const Identification& found, std::size_t level_count) {
+  return describe_identification(found, level_count, found.warnings);
+}
+
+std::string describe_identification(const Identification& found, std::size_t level_count,
+                                    std::span<const Warning> warnings) {
   const Joint& joint = found.joint;
   const SlipDensity& density = joint.density();
   std::string text = "Identified joint\n" + describe_broken(found);
@@ -238,9 +243,7 @@ std::string describe_identification(const Identification& found, std::size_t lev
   }
   text += line("solver", fmt::format("{}: {}", found.summary.status(), found.summary.reason));
   text += describe_density(found);
-  for (const Warning& warning : found.warnings) {
-    text += wrapped("  warning: ", warning.text, 11);
-  }
+  for (const Warning& warning : warnings) text += wrapped("  warning: ", warning.text, 11);
   return text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,10 @@ namespace microslip {
 /// @param level_count  of the levels as read, or as merged where only that is known; of records.
 [[nodiscard]] std::string describe_identification(const Identification& found,
                                                   std::size_t level_count);
+/// As above, with some warnings in place of its own.
+[[nodiscard]] std::string describe_identification(const Identification& found,
+                                                  std::size_t level_count,
+                                                  std::span<const Warning> warnings);
 
 /// The text of density.csv; negative values of methods that allow them are written as 0, and
 /// comments tell of atoms and warnings, and how the band is to be read.
