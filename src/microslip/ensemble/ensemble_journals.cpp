@@ -5,19 +5,19 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/io/bytes/text.hpp"
+#include "microslip/io/bytes/text_pieces.hpp"
 
 namespace microslip {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string one; std::getline(stream, one);) lines.push_back(one);
+  while (!text.empty()) lines.emplace_back(take_line(text));
   return lines;
 }
 
