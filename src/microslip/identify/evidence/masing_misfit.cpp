@@ -32,9 +32,12 @@ constexpr double kApartLimitOfScatter = 30.0;
 constexpr double kApartOfEachOfScatter = 8.0;
 /// Deviations of χ² by which a misfit of any kind exceeds its mean.
 constexpr double kAloneDeviations = 8.0;
-/// Scatter counts so many times that about a smooth curve at most, of so many rows or more.
+/// Scatter counts so many times that about a smooth curve at most, of so many rows or more: that is
+/// of cubics through two neighbours on either side then, of lines through one of fewer.
 constexpr double kMostOverCurve = 2.0;
 constexpr Eigen::Index kFewestForCurve = 9;
+constexpr double kReachOfCubics = 2.0;
+constexpr double kReachOfLines = 1.0;
 /// Of the misfit, the least that a cause explains where it is named.
 constexpr double kMostOfMisfit = 0.6;
 /// The least noise, over k and over f: models of both are no better.
@@ -142,7 +145,9 @@ class AnyJoint {
     double d = std::numeric_limits<double>::infinity();
     double k = std::numeric_limits<double>::infinity();
   };
+  [[nodiscard]] Scatter scatter_about_curves() const;
   [[nodiscard]] Scatter most_scatter() const;
+  [[nodiscard]] double least_of_curve() const;
   [[nodiscard]] double start_slope() const;
 
   const LevelEvidence& evidence_;
@@ -395,15 +400,11 @@ void AnyJoint::correct_common_errors() {
   }
 }
 
-/// The most that ln D and k_eq scatter about smooth curves: a smooth contradiction is no scatter.
-/// Infinite where the levels are too few.
-AnyJoint::Scatter AnyJoint::most_scatter() const {
-  const Eigen::Index n = a_.size();
-  Scatter most;
-  if (n < kFewestForCurve) return most;
+/// Scatter of ln D and k_eq about smooth curves, which need no joint.
+AnyJoint::Scatter AnyJoint::scatter_about_curves() const {
   std::vector<double> x;
   std::vector<double> log_d;
-  for (Eigen::Index i = 0; i < n; ++i) {
+  for (Eigen::Index i = 0; i < a_.size(); ++i) {
     x.push_back(std::log(a_(i)));
     log_d.push_back(std::log(std::max(d_(i), sigma_d_(i))));
   }
@@ -411,28 +412,45 @@ AnyJoint::Scatter AnyJoint::most_scatter() const {
   const Eigen::VectorXd share = sigma_d_.cwiseQuotient(d_.cwiseMax(sigma_d_));
   const std::vector<double> relative(share.begin(), share.end());
   const std::vector<double> sigma(sigma_k_.begin(), sigma_k_.end());
-  most.d = kMostOverCurve * scatter_about_curve(x, log_d, relative);
-  most.k = kMostOverCurve * scatter_about_curve(x, k, sigma);
-  return most;
+  return {scatter_about_curve(x, log_d, relative), scatter_about_curve(x, k, sigma)};
 }
 
-/// σ of the rows that have none, from what the best cause leaves.
+/// The most that D and k_eq scatter: a smooth contradiction is no scatter. Infinite where the
+/// levels are too few.
+AnyJoint::Scatter AnyJoint::most_scatter() const {
+  if (a_.size() < kFewestForCurve) return {};
+  const Scatter about = scatter_about_curves();
+  return {kMostOverCurve * about.d, kMostOverCurve * about.k};
+}
+
+/// The least that they scatter, over that about the curves: one load that steps disturbs those
+/// through levels on either side of it, and only the share of the others is scatter for certain.
+double AnyJoint::least_of_curve() const {
+  const double reach = a_.size() < kFewestForCurve ? kReachOfLines : kReachOfCubics;
+  const double curves = static_cast<double>(a_.size()) - 2.0 * reach;
+  return std::max(0.0, 1.0 - 2.0 * reach / curves);
+}
+
+/// σ of the rows that have none, from what the best cause leaves. Weighed by it, sliders enough fit
+/// either D or k_eq ever more closely: so it is not less than that about smooth curves.
 void AnyJoint::read_scatter(const BestFit& fit) {
   const Scatter most = most_scatter();
+  const Scatter about = scatter_about_curves();
+  const double least_share = least_of_curve();
   const double used = 0.5 * fit.sliders;
-  const auto scatter = [&](const Eigen::VectorXd& left, double known, double limit) {
+  const auto scatter = [&](const Eigen::VectorXd& left, double known, double curve, double limit) {
     const auto rows = static_cast<double>(left.size());
     const double freedom = std::max(rows - used, 0.2 * rows);
     const double found = std::sqrt((left.squaredNorm() + known) / (freedom + known));
-    return std::min(found, limit);
+    return std::clamp(found, least_share * curve, limit);
   };
   if (!d_given_) {
-    sigma_d_ = (scatter(fit.left_of_d, known_d_, most.d) * sigma_d_).cwiseMax(least_d_);
+    sigma_d_ = (scatter(fit.left_of_d, known_d_, about.d, most.d) * sigma_d_).cwiseMax(least_d_);
   }
   if (k_given_) return;
   const double least = std::sqrt(static_cast<double>(each_)) *
                        (frequencies_ ? 2.0 * kLeastFrequencyStd : kLeastSecantStd);
-  sigma_k_ = (scatter(fit.left_of_k, known_k_, most.k) * sigma_k_).cwiseMax(least);
+  sigma_k_ = (scatter(fit.left_of_k, known_k_, about.k, most.k) * sigma_k_).cwiseMax(least);
 }
 
 // Where the deviations are not given they are read from the best cause, and all is fitted anew.

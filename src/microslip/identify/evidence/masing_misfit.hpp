@@ -55,8 +55,9 @@ struct MasingMisfit {
 /// fails above 10 for a cause that has a size of its own. The same with D and k_eq each fitted by
 /// a joint of its own, of m more sliders, fails above 15 + 3m where deviations are given, and 30 +
 /// 8m otherwise. Where the deviations are given s² is 1 at least; otherwise σ of D and of k_eq are
-/// those of the residual of the best cause, ν₀ as of few levels. An error common to all levels that
-/// is given is fitted with its deviation.
+/// those of the residual of the best cause, ν₀ as of few levels, within limits by the scatter of
+/// ln D and k_eq about smooth curves. An error common to all levels that is given is fitted with
+/// its deviation.
 /// @param levels          four or more.
 /// @param stiffness       k, N/m, for units alone.
 /// @param linear_damping  whether D may contain βA².
