@@ -17,6 +17,7 @@
 #include "microslip/identify/inversion/inversion_passes.hpp"
 #include "microslip/identify/inversion/inversion_reading.hpp"
 #include "microslip/identify/inversion/level_edges.hpp"
+#include "microslip/identify/smoothing/quadratic_program.hpp"
 #include "microslip/identify/smoothing/signed_density.hpp"
 
 namespace microslip {
@@ -39,9 +40,10 @@ constexpr double kLeastAtom = 1e-2;
 /// The basis follows a density with steps and atoms to about this share of D: less scatter proves
 /// nothing about limits.
 constexpr double kResolution = 5e-3;
-/// Below this share of d ∝ a³ through the largest level the density has hardly begun. The edge
-/// where it does lies between knots, which is large against such a small d.
-constexpr double kBegunShare = 3e-2;
+/// A slider below all levels, over the lowest of them: D of all that slips there lies between that
+/// of this one and of one at the lowest level.
+constexpr double kBelowLevels = 1e-3;
+constexpr double kSliderRidge = 1e-12;
 
 void check_count(const Levels& merged) {
   if (merged.size() < kFewestLevels) {
@@ -260,9 +262,30 @@ SmoothingPoint unlimited_solution(const InversionModel& model) {
   return best;
 }
 
+/// What is left of the weighted D beside the nearest of all joints, d = 4 Σ ψ_j x_j (a − x_j)₊ with
+/// ψ_j ≥ 0. At the levels all convex d with d(0) = 0 are those of sliders at them and of one below.
+Eigen::VectorXd left_of_any_joint(const ScaledLevels& levels, const Eigen::VectorXd& weights) {
+  const Eigen::Index n = levels.amplitude.size();
+  Eigen::VectorXd sliders(n + 1);
+  sliders << kBelowLevels * levels.amplitude(0), levels.amplitude;
+  Eigen::MatrixXd design(n, n);  // one at the largest level does not slip
+  for (Eigen::Index j = 0; j < n; ++j) {
+    design.col(j) = weights.cwiseProduct((levels.amplitude.array() - sliders(j)).max(0.0).matrix());
+    design.col(j) /= design.col(j).norm();
+  }
+  const Eigen::VectorXd data = weights.cwiseProduct(levels.dissipation);
+  Eigen::MatrixXd hessian = design.transpose() * design;
+  hessian.diagonal().array() += kSliderRidge;
+  const QuadraticProgram::Solution solution =
+      QuadraticProgram(Eigen::VectorXd::Zero(n), 1.0)
+          .solve(hessian, design.transpose() * data,
+                 std::vector<bool>(static_cast<std::size_t>(n), false));
+  return data - design * solution.x;
+}
+
 // A test of the unlimited density itself would find every peak and edge guilty, as a smoother rings
-// beside them. The residual of a flexible density ≥ 0 contains no peaks and edges any more, only
-// the part of D that no such density can explain.
+// beside them. What the nearest of all joints leaves of D contains no peaks and edges any more,
+// wherever they lie between the knots of the basis, only what no density ≥ 0 can explain.
 void judge_sign(const InversionModel& model, const ScaledLevels& levels, InversionResult& result,
                 InnerSolutions& inner) {
   const SmoothingProblem& problem = model.problem();
@@ -275,17 +298,15 @@ void judge_sign(const InversionModel& model, const ScaledLevels& levels, Inversi
       no_budget.solve(problem.hessian(lambda), problem.linear(), last.solution.free);
   inner.add(solution);
   const Eigen::VectorXd& flexible = solution.x;
-  Eigen::VectorXd left = problem.data() - problem.design() * flexible;
-  const double largest = levels.dissipation.maxCoeff();
-  for (Eigen::Index i = 0; i < levels.amplitude.size(); ++i) {
-    const double begun = kBegunShare * largest * std::pow(levels.amplitude(i), 3);
-    if (levels.dissipation(i) < begun) left(i) = 0.0;
-  }
+  const Eigen::Index of_d = model.dissipation_rows();
+  const Eigen::VectorXd left = left_of_any_joint(levels, model.weights().head(of_d));
 
   // Posterior covariance of the coefficients: variance·H⁻¹; of the densities row by row.
-  const double scatter = scatter_beyond_resolution(model, levels, unlimited);
+  // Beside k_eq that of D alone may be larger than that of all rows.
+  const double scatter = std::max(1.0, model.dissipation_scatter) *
+                         scatter_beyond_resolution(model, levels, unlimited);
   const Eigen::LLT<Eigen::MatrixXd> factor(problem.hessian(unlimited.lambda));
-  const Eigen::VectorXd change = factor.solve(problem.design().transpose() * left);
+  const Eigen::VectorXd change = factor.solve(problem.design().topRows(of_d).transpose() * left);
   const Eigen::MatrixXd to_density = model.density_matrix();
   const Eigen::MatrixXd whitened = factor.matrixL().solve(to_density.transpose());
   const Eigen::ArrayXd deviation = scatter * whitened.colwise().norm().transpose().array();

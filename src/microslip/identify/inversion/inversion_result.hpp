@@ -61,8 +61,8 @@ struct InversionResult {
   /// independent ones.
   double secant_offset_std = 0.0;
 
-  /// By how much D requires a negative density, in standard deviations (smoothing included): the
-  /// residual of a flexible density ≥ 0, smoothed as without limits, where it makes the density
+  /// By how much D requires a negative density, in standard deviations (smoothing included): what
+  /// the nearest of all joints leaves of D, smoothed as without limits, where it makes the density
   /// negative. Below −3.5 or so the data contradict φ ≥ 0. ≤ 0.
   double lowest_score = 0.0;
   double lowest_at = 0.0;  ///< slip force there, N
