@@ -240,7 +240,7 @@ export function folder(path) {
 
 /** The first screen, before scrolling: the verdict on the joint, the names of the warnings, the density with
     its axes. All sections can be reached, and nothing is wider than the screen. @param warnings  codes that must be
-    named there. */
+    there in words. */
 async function checkFirstScreen(page, name, {width: screenWidth, height: screenHeight}, warnings) {
   const box = (selector) => page.locator(selector).first().boundingBox();
   const shown = ['.verdict', '#figure-0 .chart', ...(warnings.length > 0 ? ['.verdict .codes'] : [])];
@@ -251,7 +251,7 @@ async function checkFirstScreen(page, name, {width: screenWidth, height: screenH
         `${name}: ${selector} ends at ${x + width}, ${y + height}`);
   }
   for (const code of warnings) {
-    assert.ok((await page.locator('.verdict .codes').first().textContent()).includes(code), `${name}: ${code}`);
+    assert.ok((await page.locator('.verdict .codes').first().textContent()).includes(code.replaceAll('_', ' ')), `${name}: ${code}`);
   }
   const wide = await page.evaluate(() => [...document.querySelectorAll('body, nav a, nav button, figure, .chart, .table-block, .facts, .warnings li')]
       .map((node) => [node.className || node.textContent, node.getBoundingClientRect().right])

@@ -94,9 +94,9 @@ assert.equal(await page.locator('.table-block', {hasText: 'Tests as a whole'}).l
 assert.match(await row('Tests of the campaign', 'monday').first().textContent(), /^mondayidentifymondaytorque 12 Nm7/);
 assert.equal(await row('Sessions', 'friday').count() > 0, true);
 // Both days are of one joint: D of 20 Nm is that of 12 Nm within its noise.
-assert.match(await row('Levels by the conditions of their tests', 'torque_Nm').nth(1).textContent(), /^torque_Nm2017/);
-const torque = await row('Effect of conditions', 'torque_Nm').textContent();
-assert.match(torque, /^torque_NmD [+-][\d.e-]+ ± [\d.e-]+ %, frequency .* per Nm of torqueyesD at 20 differs by .* from that at 12; the frequency/);
+assert.match(await row('Levels by the conditions of their tests', 'torque [Nm]').nth(1).textContent(), /^torque \[Nm\]2017/);
+const torque = await row('Effect of conditions', 'torque [Nm]').textContent();
+assert.match(torque, /^torque \[Nm\]D [+-][\d.e-]+ ± [\d.e-]+ %, frequency .* per Nm of torqueyesD at 20 differs by .* from that at 12; the frequency/);
 assert.equal(await page.locator('.table-block', {hasText: 'Left out'}).first().locator('tbody tr').count(), 2);
 const force = tools.figure(page, 'Measured and predicted force');
 assert.deepEqual(await force.locator('option').allTextContents(), ['middle.csv', 'strange.csv']);

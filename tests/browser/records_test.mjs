@@ -81,8 +81,8 @@ const phone = await tools.open(browser, broken,
 assert.match(await phone.page.locator('.warnings').textContent(), /rate_dependent/);
 assert.match(await phone.page.locator('.warnings').textContent(), /--viscous fit/);
 assert.equal(await phone.page.locator('#section-0-summary tr.marked').count(), 1);
-assert.match(await phone.page.locator('tr.marked').first().textContent(), /^rate/);
-assert.match(await phone.page.locator('.verdict').textContent(), /Not a Masing joint.*rate: force follows velocity/);
+assert.match(await phone.page.locator('tr.marked').first().textContent(), /^the force follows/);
+assert.match(await phone.page.locator('.verdict').textContent(), /Not a Masing joint.*the force follows the velocity/);
 assert.deepEqual(phone.faults, []);
 await tools.takePictures(browser, broken, `${artefacts}/broken`, ['rate_dependent']);
 await browser.close();

@@ -69,7 +69,9 @@ TEST_F(ExternalRecords, AFrictionDamperWithBacklashIsNone) {
     fs::copy_file(file, box_.file("damper.csv"), fs::copy_options::overwrite_existing);
     const Outcome done = expect_done(
         box_, {"identify", "damper.csv", "--out", "joint.json", "--density-csv", "density.csv"});
-    EXPECT_LT(done.out.find("NOT A MASING JOINT: dead_zone"), done.out.find("density")) << done.out;
+    EXPECT_LT(done.out.find("NOT A MASING JOINT: play, pinching or bearing (dead_zone)"),
+              done.out.find("density"))
+        << done.out;
     const json warnings = identification().at("warnings");
     EXPECT_NE(std::ranges::find(warnings, "dead_zone"), warnings.end()) << warnings;
     EXPECT_NE(box_.get("density.csv")
@@ -109,7 +111,7 @@ TEST_F(ExternalRecords, AFrictionDamperIsNotPredictedAndItIsSaidWhy) {
   const std::string text = box_.get("comparison.csv");
   EXPECT_NE(
       text.find("# warning: joint_not_of_this_kind: joint.json was identified as NOT A MASING "
-                "JOINT: dead_zone"),
+                "JOINT: play, pinching or bearing (dead_zone)"),
       std::string::npos);
   const CsvTable table(text, "comparison.csv");
   const std::vector<std::string> quantity = table.text("quantity");

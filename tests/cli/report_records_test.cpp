@@ -71,9 +71,9 @@ TEST_F(report_records, SaysWhatIsBroken) {
   }
   box.put("lab/a.csv", record_text(record));
   identify({"lab/a.csv"});
-  expect_parts(report(),
-               {"It is not a Masing joint under constant normal load",
-                "<code>rate_dependent</code>", "--viscous fit", "<tr class=\"marked\">", "1 of 7"});
+  expect_parts(report(), {"It is not a Masing joint under constant normal load",
+                          "<code>(rate_dependent)</code>", "--viscous fit", "<tr class=\"marked\">",
+                          "1 of 7"});
 }
 
 TEST_F(report_records, SaysWhichRecordIsNotThere) {

@@ -386,7 +386,7 @@ TEST(ExperimentReport, SaysWhatTheLevelsWereTestedFor) {
   EXPECT_TRUE(contains(verdict_of(results).text, "2 departures looked for, none found"));
   EXPECT_FALSE(verdict_of(results).doubtful);
   results.joint->verdicts[1].broken = true;
-  EXPECT_TRUE(contains(verdict_of(results).text, "frequency: does not fall as D implies"));
+  EXPECT_TRUE(contains(verdict_of(results).text, "the frequency does not fall as D implies"));
   EXPECT_TRUE(verdict_of(results).doubtful);
   results.joint->verdicts.clear();
   results.joint->status = "no_progress";
@@ -644,6 +644,7 @@ TEST(ExperimentReport, ACampaignShowsTestsSessionsAndWhatWasLeftOut) {
                         "Conditions", "Effect of conditions", "Left-out dissipation", "Left out"}));
   const ReportTable& conditions = table(document, "Effect of conditions");
   EXPECT_EQ(conditions.marked, std::vector<std::size_t>{0});  // 5 % apart, 3.5 σ of a difference
+  EXPECT_EQ(std::get<std::string>(conditions.rows[0][0]), "torque [Nm]");
   EXPECT_EQ(std::get<std::string>(conditions.rows[0][1]), "D +1 ± 0.2 % per unit of torque_Nm");
   EXPECT_EQ(std::get<std::string>(conditions.rows[0][2]), "no");
   EXPECT_TRUE(contains(std::get<std::string>(conditions.rows[0][3]), "D at 25 differs by +5"));
@@ -1129,7 +1130,7 @@ TEST(ReportOfRecords, BeginsWithDensityVerdictsAndWarnings) {
   const ReportSection& summary = document.sections.front();
   const auto& verdict = std::get<ReportVerdict>(summary.blocks[0]);
   EXPECT_TRUE(verdict.doubtful);
-  EXPECT_TRUE(contains(verdict.text, "(asymmetry: sides differ). The nearest such joint"))
+  EXPECT_TRUE(contains(verdict.text, "(the two sides differ). The nearest such joint"))
       << verdict.text;
   EXPECT_EQ(std::get<ReportFigure>(summary.blocks[1]).figure.title, "Slip-force density");
   EXPECT_TRUE(std::get<ReportTable>(summary.blocks[3]).beside);

@@ -16,6 +16,12 @@
 namespace microslip {
 namespace {
 
+/// A code in words: "scatter large".
+std::string in_words(std::string code) {
+  std::ranges::replace(code, '_', ' ');
+  return html_text(code);
+}
+
 constexpr int kPictureHeight = 340;  // px: letters of 7 pt where two stand side by side on A4
 constexpr int kPictureWidth = 480;
 constexpr int kWidePictureWidth = 980;
@@ -141,7 +147,7 @@ class Page {
       html_ += fmt::format("<p class=\"codes\"><a href=\"#{}\">{} warning{}</a>:", warnings_id_,
                            block.codes.size(), block.codes.size() == 1 ? "" : "s");
       for (const std::string& code : block.codes) {
-        html_ += fmt::format(" <code>{}</code>", html_text(code));
+        html_ += fmt::format("{} {}", code == block.codes.front() ? "" : ";", in_words(code));
       }
       html_ += "</p>\n";
     }
@@ -153,7 +159,7 @@ class Page {
     html_ +=
         fmt::format("<ul id=\"{}\" class=\"warnings\" aria-label=\"Warnings\">\n", warnings_id_);
     for (const Warning& warning : block.warnings) {
-      html_ += fmt::format("<li>{} <code>{}</code></li>\n", html_text(warning.text),
+      html_ += fmt::format("<li>{} <code>({})</code></li>\n", html_text(warning.text),
                            html_text(warning.code));
     }
     html_ += "</ul>\n";

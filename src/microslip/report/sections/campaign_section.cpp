@@ -15,6 +15,7 @@
 #include "microslip/report/sections/left_out.hpp"
 #include "microslip/report/sections/sections.hpp"
 #include "microslip/workflow/campaign/campaign_conditions.hpp"
+#include "microslip/workflow/campaign/condition_words.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -195,11 +196,11 @@ ReportTable condition_values_table(const std::vector<ConditionFound>& conditions
                   {"± (σ)", "%", 2}}};
   for (const ConditionFound& condition : conditions) {
     for (const ConditionGroup& group : condition.effect.groups) {
-      table.rows.push_back({condition.effect.name, group.value, static_cast<double>(group.tests),
-                            static_cast<double>(group.levels), group.least / kMicrometre,
-                            group.largest / kMicrometre, group.dissipation.mean / kPercent,
-                            group.dissipation.sigma / kPercent, group.frequency.mean / kPercent,
-                            group.frequency.sigma / kPercent});
+      table.rows.push_back({condition_title(condition.effect.name), group.value,
+                            static_cast<double>(group.tests), static_cast<double>(group.levels),
+                            group.least / kMicrometre, group.largest / kMicrometre,
+                            group.dissipation.mean / kPercent, group.dissipation.sigma / kPercent,
+                            group.frequency.mean / kPercent, group.frequency.sigma / kPercent});
     }
   }
   return table;
@@ -215,7 +216,7 @@ ReportTable condition_verdicts_table(const std::vector<ConditionFound>& conditio
     const ConditionVerdict verdict = condition_verdict(condition.effect);
     if (verdict.differ) table.marked.push_back(table.rows.size());
     const bool pooled = condition.effect.pooled();
-    table.rows.push_back({condition.effect.name, condition.trend,
+    table.rows.push_back({condition_title(condition.effect.name), condition.trend,
                           std::string(!pooled          ? ""
                                       : verdict.differ ? "no"
                                                        : "yes"),

@@ -16,6 +16,7 @@
 #include "microslip/report/figures/force_layers.hpp"
 #include "microslip/report/figures/level_figures.hpp"
 #include "microslip/report/figures/shown_samples.hpp"
+#include "microslip/workflow/text/departure_meanings.hpp"
 
 namespace microslip {
 namespace {
@@ -137,15 +138,15 @@ ReportTable record_table(const ExperimentResults& results) {
 ReportTable table_of_all_verdicts(const std::vector<RecordFound>& records) {
   ReportTable table{.title = "Tested assumptions, record by record",
                     .columns = {{.name = "record", .unit = "1", .digits = 0},
-                                {.name = "departure", .code = true},
+                                {.name = "departure"},
                                 {.name = "of the force", .unit = "%", .digits = 2},
                                 {.name = "by noise", .unit = "%", .digits = 2},
                                 {.name = "found"}}};
   for (std::size_t r = 0; r < records.size(); ++r) {
     for (const DepartureFound& one : records[r].verdicts) {
       if (one.broken) table.marked.push_back(table.rows.size());
-      table.rows.push_back({static_cast<double>(r + 1), one.departure, one.share / kPercent,
-                            one.noise / kPercent, one.broken ? "yes" : "no"});
+      table.rows.push_back({static_cast<double>(r + 1), departure_with_code(one.departure),
+                            one.share / kPercent, one.noise / kPercent, one.broken ? "yes" : "no"});
     }
   }
   return table;

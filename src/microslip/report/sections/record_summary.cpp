@@ -19,6 +19,7 @@
 #include "microslip/report/sections/record_sections.hpp"
 #include "microslip/report/sections/verdict_block.hpp"
 #include "microslip/workflow/results/verdict.hpp"
+#include "microslip/workflow/text/departure_meanings.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -132,7 +133,7 @@ ReportTable verdict_table(const FoundByRecords& found) {
   for (const Judged& judged : verdicts_of(found)) {
     if (judged.found.broken) table.marked.push_back(table.rows.size());
     std::vector<ReportCell>& row = table.rows.emplace_back();
-    row.emplace_back(departure_text(judged.found.departure));
+    row.emplace_back(departure_meaning(judged.found.departure));
     if (several) row.emplace_back(static_cast<double>(judged.record + 1));
     row.emplace_back(judged.found.share / kPercent);
     row.emplace_back(judged.found.noise / kPercent);

@@ -13,6 +13,7 @@
 #include "microslip/report/sections/sections.hpp"
 #include "microslip/report/sections/verdict_block.hpp"
 #include "microslip/workflow/results/verdict.hpp"
+#include "microslip/workflow/text/departure_meanings.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -119,7 +120,7 @@ ReportFacts certainty(const ExperimentResults& results) {
   }
   add("solver", found.status);
   for (const DepartureFound& one : found.verdicts) {
-    add("tested for", fmt::format("{}: {}, by noise {}: {}", departure_text(one.departure),
+    add("tested for", fmt::format("{}: {}, by noise {}: {}", departure_meaning(one.departure),
                                   percent_text(one.share), percent_text(one.noise),
                                   one.broken ? "found" : "not found"));
   }

@@ -5,10 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
-#include <utility>
 
+#include "microslip/workflow/text/departure_meanings.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -21,25 +19,6 @@ void add_once(std::vector<std::string>& all, const std::string& text) {
 }
 
 }  // namespace
-
-std::string departure_text(const std::string& code) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kTexts = {{
-      {"rate_dependent", "rate: force follows velocity"},
-      {"asymmetric", "asymmetry: sides differ"},
-      {"dead_zone", "dead zone: play, pinching or bearing"},
-      {"drifts", "drift: force grows or falls"},
-      {"offset_drifts", "offset: zero moves"},
-      {"displacement_drifts", "displacement: zero moves"},
-      {"not_masing", "not Masing: branches differ"},
-      {"records_contradict", "not the other records' joint"},
-      {"order_matters", "order: rising and falling levels differ"},
-      {"secant_against_dissipation", "k_eq: does not soften as D implies"},
-      {"frequency_against_dissipation", "frequency: does not fall as D implies"},
-  }};
-  const auto* known =
-      std::ranges::find(kTexts, code, &std::pair<std::string_view, std::string_view>::first);
-  return std::string(known == kTexts.end() ? std::string_view(code) : known->second);
-}
 
 std::vector<std::string> codes_of(const std::vector<Warning>& warnings) {
   std::vector<std::string> codes;
@@ -54,7 +33,7 @@ ReportVerdict verdict_on_joint(std::span<const DepartureFound> looked_for,
   std::vector<std::string> all;
   for (const DepartureFound& one : looked_for) {
     add_once(all, one.departure);
-    if (one.broken) add_once(broken, departure_text(one.departure));
+    if (one.broken) add_once(broken, departure_meaning(one.departure));
   }
   if (status != kConvergedStatus && status != kStatusNotTold) {
     verdict.text = fmt::format("The solver did not converge ({}): do not rely on it. ", status);

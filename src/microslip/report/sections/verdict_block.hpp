@@ -13,10 +13,6 @@
 
 namespace microslip {
 
-/// A departure from the kind of joint in words, by its code; the code itself of one that is not
-/// known here.
-[[nodiscard]] std::string departure_text(const std::string& code);
-
 /// The codes of warnings, each once.
 [[nodiscard]] std::vector<std::string> codes_of(const std::vector<Warning>& warnings);
 

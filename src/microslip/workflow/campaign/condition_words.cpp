@@ -33,6 +33,11 @@ std::string condition_text(std::string_view name, std::string_view values) {
                      parts.unit);
 }
 
+std::string condition_title(std::string_view name) {
+  const NameAndUnit parts = parts_of(name);
+  return parts.unit.empty() ? parts.name : fmt::format("{} [{}]", parts.name, parts.unit);
+}
+
 std::string condition_step(std::string_view name) {
   const NameAndUnit parts = parts_of(name);
   return fmt::format("{} of {}", parts.unit.empty() ? "unit" : parts.unit, parts.name);

@@ -15,4 +15,7 @@ namespace microslip {
 /// "Nm of torque", or "unit of NAME": what a trend is per.
 [[nodiscard]] std::string condition_step(std::string_view name);
 
+/// "torque [Nm]", or "order" where the name has no unit: the head of its values.
+[[nodiscard]] std::string condition_title(std::string_view name);
+
 }  // namespace microslip

@@ -20,6 +20,7 @@
 #include "microslip/observe/record_cycles.hpp"
 #include "microslip/observe/record_force.hpp"
 #include "microslip/workflow/predict/model_text.hpp"
+#include "microslip/workflow/text/departure_meanings.hpp"
 
 namespace microslip {
 namespace {
@@ -150,8 +151,9 @@ std::optional<Warning> departures_of(const RecordEvidence& evidence) {
   std::string text;
   for (const RecordVerdict& verdict : nearest.records.front().verdicts) {
     if (!verdict.broken) continue;
-    text += fmt::format("{}{} ({:.2g} % of the force, {:.2g} % by noise)", text.empty() ? "" : ", ",
-                        to_string(verdict.departure), 100.0 * verdict.share, 100.0 * verdict.noise);
+    text += fmt::format("{}{}, {:.2g} % of the force, {:.2g} % by noise", text.empty() ? "" : "; ",
+                        departure_with_code(to_string(verdict.departure)), 100.0 * verdict.share,
+                        100.0 * verdict.noise);
   }
   if (text.empty()) return std::nullopt;
   return Warning{kTestNotOfThisKind,

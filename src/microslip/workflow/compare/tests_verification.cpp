@@ -20,6 +20,7 @@
 #include "microslip/workflow/compare/sweep_comparison.hpp"
 #include "microslip/workflow/predict/model_rules.hpp"
 #include "microslip/workflow/reduce/recordings_provenance.hpp"
+#include "microslip/workflow/text/departure_meanings.hpp"
 #include "microslip/workflow/text/distinct_files.hpp"
 
 namespace microslip {
@@ -99,8 +100,9 @@ void add_joint_warnings(const std::string& path, const JointFile& file,
   std::vector<std::string> broken;
   const auto add_broken = [&](const std::vector<DepartureFound>& verdicts) {
     for (const DepartureFound& one : verdicts) {
-      if (one.broken && std::ranges::count(broken, one.departure) == 0) {
-        broken.push_back(one.departure);
+      std::string departure = departure_with_code(one.departure);
+      if (one.broken && std::ranges::count(broken, departure) == 0) {
+        broken.push_back(std::move(departure));
       }
     }
   };
@@ -112,7 +114,7 @@ void add_joint_warnings(const std::string& path, const JointFile& file,
     warnings.push_back(
         {"joint_not_of_this_kind",
          fmt::format("{} was identified as NOT A MASING JOINT: {}. It is the closest such joint.",
-                     path, fmt::join(broken, ", "))});
+                     path, fmt::join(broken, "; "))});
   }
   if (joint.status != kStatusNotTold && joint.status != kConvergedStatus) {
     warnings.push_back({"joint_not_converged",

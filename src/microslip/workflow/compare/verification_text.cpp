@@ -95,7 +95,7 @@ std::string describe_troubles(const VerificationBatch& batch) {
                     record.summary.brief(), 4);
   }
   for (const Warning& kind : kinds_of_warnings(batch.records, 30)) {
-    text += wrapped(fmt::format("  {}: ", kind.code), kind.text, 4);
+    text += wrapped("  ", fmt::format("{} [{}]", kind.text, kind.code), 4);
   }
   for (const RejectedRecord& record : batch.rejected) {
     text += fmt::format("  Left out: {}\n", record.reason);

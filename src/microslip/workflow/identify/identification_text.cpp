@@ -13,6 +13,7 @@
 #include "microslip/base/percent.hpp"
 #include "microslip/documents/joint/density_file.hpp"
 #include "microslip/io/output/provenance.hpp"
+#include "microslip/workflow/text/departure_meanings.hpp"
 #include "microslip/workflow/text/summary_text.hpp"
 
 namespace microslip {
@@ -54,11 +55,11 @@ std::vector<std::string> failed_in(const RecordFit& record) {
   std::vector<std::string> texts;
   for (const RecordVerdict& verdict : record.verdicts) {
     if (!verdict.broken) continue;
-    const std::string code(to_string(verdict.departure));
+    std::string text = departure_with_code(to_string(verdict.departure));
     if (verdict.alternative && !texts.empty()) {
-      texts.back() += " or " + code;
+      texts.back() += " or " + text;
     } else {
-      texts.push_back(code);
+      texts.push_back(std::move(text));
     }
   }
   return texts;
@@ -66,21 +67,35 @@ std::vector<std::string> failed_in(const RecordFit& record) {
 
 /// Failed assumptions, before anything on the density.
 std::string describe_broken(const Identification& found) {
-  std::vector<std::string> codes;
-  const auto add = [&](std::string_view code) {
-    if (std::ranges::find(codes, code) == codes.end()) codes.emplace_back(code);
+  std::vector<std::string> failed;
+  const auto add = [&](const std::string& text) {
+    if (std::ranges::find(failed, text) == failed.end()) failed.push_back(text);
   };
   for (const LevelDepartureVerdict& verdict : found.verdicts) {
-    if (verdict.broken) add(to_string(verdict.departure));
+    if (verdict.broken) add(departure_with_code(to_string(verdict.departure)));
   }
   if (found.records()) {
     for (const RecordFit& record : found.records()->records) {
       for (const std::string& text : failed_in(record)) add(text);
     }
   }
-  if (codes.empty()) return {};
-  return line("verdict", fmt::format("NOT A MASING JOINT: {}", fmt::join(codes, ", "))) +
+  if (failed.empty()) return {};
+  const std::string text = fmt::format("NOT A MASING JOINT: {}", fmt::join(failed, "; "));
+  constexpr std::size_t kIndent = 23;  // of the second column of line()
+  return wrapped(fmt::format("  {:<20} ", "verdict"), text, kIndent) +
          line("", "what follows is the closest Masing joint; see the warnings");
+}
+
+/// What a test of levels compares.
+std::string_view test_name(LevelDeparture departure) {
+  switch (departure) {
+    case LevelDeparture::kSecant:
+      return "k_eq against D";
+    case LevelDeparture::kFrequency:
+      return "frequency against D";
+    default:
+      return "rising against falling levels";
+  }
 }
 
 /// Tests of the assumptions for levels, each with its number and the most that noise gives.
@@ -88,7 +103,7 @@ std::string describe_verdicts(const Identification& found) {
   std::string text;
   for (const LevelDepartureVerdict& verdict : found.verdicts) {
     text += line(text.empty() ? "tested" : "",
-                 fmt::format("{}: {} of {}, noise {} at most, {}", to_string(verdict.departure),
+                 fmt::format("{}: {} of {}, noise {} at most, {}", test_name(verdict.departure),
                              percent_text(verdict.share), verdict.quantity,
                              percent_text(verdict.noise), verdict.broken ? "failed" : "passed"));
   }

@@ -88,7 +88,7 @@ std::string describe_modal_reduction(const ModalReducer& reducer,
   for (const ModalLevel& level : batch.levels) text += describe_modal_level(level);
   std::string more;
   for (const Warning& flag : flags_of_modal(batch.levels, 30)) {
-    more += fmt::format("  {}:\n    {}\n", flag.code, flag.text);
+    more += fmt::format("  {}\n    [{}]\n", flag.text, flag.code);
   }
   if (!more.empty()) more = "Flags\n" + more;
   for (const Warning& warning : modal_levels_left_out(batch)) more += warning.text + "\n";

@@ -54,7 +54,7 @@ std::vector<Warning> flags_of(const std::vector<ReducedLevel>& levels, std::size
 std::string describe_flags(const std::vector<ReducedLevel>& levels) {
   std::string text;
   for (const Warning& flag : flags_of(levels, 30)) {
-    text += fmt::format("  {}:\n    {}\n", flag.code, flag.text);
+    text += fmt::format("  {}\n    [{}]\n", flag.text, flag.code);
   }
   return text.empty() ? text : "Flags\n" + text;
 }
