@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -91,8 +92,11 @@ class UnitLoop {
   [[nodiscard]] double mean_height(std::size_t i) const { return mean_height_[i]; }
   /// 1 along the branch that goes down, −1 along the other.
   [[nodiscard]] double sign(std::size_t i) const { return (i < turn_ ? 1.0 : -1.0) * down_; }
-  /// Whether a vertex is at a turn, where x stays what it is.
-  [[nodiscard]] bool at_turn(std::size_t i) const { return std::abs(place_[i]) >= 1.0; }
+  /// Whether a vertex is at a turn, where x stays what it is; beside the rounding of x.
+  [[nodiscard]] bool at_turn(std::size_t i) const {
+    constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+    return std::abs(place_[i]) >= 1.0 - kRounding;
+  }
 
   /// ∂S̄/∂x of segment i by the place of vertex i, and by that of the next.
   [[nodiscard]] double change_by_first(std::size_t i) const {
@@ -113,10 +117,11 @@ class UnitLoop {
     return (under_half_circle(place_[next(i)]) - under_half_circle(place_[i])) / width(i);
   }
 
-  /// For close places half of S′ = −x/S.
+  /// For close places half of S′ = −x/S, at a turn that of a place so close to it: S′ has no end
+  /// there, but the mean of S between two places that near does not change by more.
   [[nodiscard]] double change(std::size_t i, double by) const {
     if (std::abs(width(i)) > kClose) return by / width(i);
-    return height_[i] > 0.0 ? -0.5 * place_[i] / height_[i] : 0.0;
+    return -0.5 * place_[i] / std::max(height_[i], half_circle(1.0 - kClose));
   }
 
   std::size_t turn_;
