@@ -113,6 +113,58 @@ TEST(EvenAxis, WholeNumbersAreNotTakenForRoundedOnes) {
   EXPECT_TRUE(axis({2, 4, 6}).even());
 }
 
+struct Clock {
+  std::vector<double> times;
+  PrintedDigits digits;
+};
+
+Clock clock_of(double rate, int decimals, std::size_t count) {
+  Clock clock;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string text = fmt::format("{:.{}f}", static_cast<double>(i) / rate, decimals);
+    clock.digits.add(text);
+    clock.times.push_back(std::strtod(text.c_str(), nullptr));
+  }
+  return clock;
+}
+
+// Three digits at 5 kHz make five equal times; four at 5120 Hz steps of one and two. The step is
+// that of a line through errors of ulp/√12, whose slope is off by √12/n^1.5 of that: five such.
+TEST(RoundedClock, IsEvenByItsWholeSpan) {
+  for (const auto& [rate, decimals] :
+       {std::pair{5000.0, 3}, {5120.0, 4}, {1024.0, 3}, {51200.0, 4}}) {
+    constexpr std::size_t kCount = 400;
+    const Clock clock = clock_of(rate, decimals, kCount);
+    EXPECT_FALSE(axis_from_printed(clock.times, kSecond, clock.digits).even()) << rate;
+    const auto found = axis_of_rounded_clock(clock.times, kSecond, clock.digits);
+    ASSERT_TRUE(found) << rate;
+    const double ulp = std::pow(10.0, -decimals);
+    EXPECT_NEAR(found->axis.step, 1.0 / rate, 5.0 * ulp / std::pow(kCount, 1.5)) << rate;
+    EXPECT_NEAR(found->uncertainty, ulp * rate / kCount, 0.1 * found->uncertainty) << rate;
+    const auto stated = axis_of_rounded_clock(clock.times, kSecond, clock.digits, 1.0 / rate);
+    ASSERT_TRUE(stated) << rate;
+    EXPECT_EQ(stated->axis.step, 1.0 / rate);
+    EXPECT_FALSE(axis_of_rounded_clock(clock.times, kSecond, clock.digits, 1.05 / rate));
+  }
+}
+
+TEST(RoundedClock, IsNotWhatIsUneven) {
+  Clock clock = clock_of(1000.0, 3, 400);
+  for (std::size_t i = 200; i < 400; ++i) clock.times[i] += 1e-3;
+  EXPECT_FALSE(axis_of_rounded_clock(clock.times, kSecond, clock.digits)) << "a sample is missing";
+  clock = clock_of(5000.0, 3, 400);
+  for (std::size_t i = 200; i < 400; ++i) clock.times[i] += 3e-3;
+  EXPECT_FALSE(axis_of_rounded_clock(clock.times, kSecond, clock.digits)) << "several";
+  clock = clock_of(5000.0, 3, 400);
+  std::swap(clock.times[0], clock.times[399]);
+  EXPECT_FALSE(axis_of_rounded_clock(clock.times, kSecond, clock.digits)) << "falls";
+  clock = clock_of(100.0, 4, 400);
+  clock.times[200] = clock.times[199];
+  EXPECT_FALSE(axis_of_rounded_clock(clock.times, kSecond, clock.digits)) << "a row is there twice";
+  clock = clock_of(5000.0, 3, 19);
+  EXPECT_FALSE(axis_of_rounded_clock(clock.times, kSecond, clock.digits)) << "few";
+}
+
 TEST(EvenAxis, DigitsCountInTheUnitOfTheFile) {
   PrintedDigits digits;
   std::vector<double> values;

@@ -3,6 +3,7 @@
 // Tables as loggers, testing machines and spreadsheets write them: what does not matter is
 // forgiven, what cannot be used is left out with a warning.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -171,7 +172,7 @@ TEST(RecordingCsvForms, LeavesOutColumnsWithoutNumbers) {
 // Whatever a program writes for a value that it has not: the other channels are whole.
 TEST(RecordingCsvForms, LeavesOutAColumnWithACellThatIsNoNumber) {
   for (const std::string cell :
-       {"2x", "********", "1.#QNAN", "#WERT!", "+OVER", "\"1,104.374\"", "12 mm"}) {
+       {"2x", "********", "1.#QNAN", "#WERT!", "+OVER", "\"1,10.374\"", "12 mm"}) {
     const Recordings read = read_all("time [s],a [N],b [N]\n0,1,2\n1," + cell + ",3\n");
     EXPECT_EQ(names_of(read.recordings.front()), Names{"b"}) << cell;
     ASSERT_EQ(codes_of(read), Names{"channel_left_out"}) << cell;
@@ -363,13 +364,124 @@ TEST(RecordingCsvForms, TakesAFrequencyBeforeASpanOfAnyName) {
   }
 }
 
-// The rate is the axis, as the header comes before the rows; a frequency response has it, too.
-TEST(RecordingCsvForms, SaysThatTheRateIsTheAxisBesideAFrequency) {
+// A frequency response states the rate of its samples, too; as in MAT and HDF5.
+TEST(RecordingCsvForms, SaysThatAFrequencyIsTheAxisBesideARate) {
   const std::string text = "# fs = 8 Hz\nfrequency [Hz],force [N]\n1,2\n2,3\n";
   const Recordings read = read_all(text);
-  EXPECT_EQ(read.recordings.front().sampling_rate(), 8.0);
+  EXPECT_EQ(read.recordings.front().axis.dimension, kFrequency);
   EXPECT_EQ(codes_of(read), Names{"axis_chosen"});
-  EXPECT_EQ(codes_of(read_all(text + "2,4\n")), Names{}) << "it stays as it is";
+  for (const std::string more : {"2,4\n", "1.5,4\n"}) {  // it stays as it is, or falls
+    const Recordings over_time = read_all(text + more);
+    EXPECT_EQ(over_time.recordings.front().sampling_rate(), 8.0);
+    EXPECT_EQ(over_time.recordings.front().channels.size(), 2U);
+    EXPECT_EQ(codes_of(over_time), Names{});
+  }
+  // Seen too late in a file for its first rows to show it.
+  std::string late = "# fs = 8 Hz\nfrequency [Hz],force [N]\n";
+  for (int i = 1; i < 1500; ++i) late += std::to_string(i) + ",1\n";
+  const Recordings falls = read_all(late + "1,1\n");
+  EXPECT_EQ(falls.recordings.front().sampling_rate(), 8.0);
+  EXPECT_EQ(falls.recordings.front().channel("frequency").values.size(), 1500U);
+}
+
+// ISO 80000-1 and DIN write quantity/unit; others a comma, "in" or an underscore.
+TEST(RecordingCsvForms, TakesUnitsFromNames) {
+  for (const std::string names :
+       {"t/s,F/kN,v/(mm/s)", "Time / s,F / kN,v / mm/s", "\"Time, s\",\"F, kN\",\"v, mm/s\"",
+        "Zeit in s,F in kN,v in mm/s", "Pr\u00fcfzeit / s,F / kN,v / (mm/s)"}) {
+    const Recordings read = read_all(names + "\n0,1.5,2\n0.5,2.5,4\n");
+    EXPECT_EQ(read.recordings.front().axis.step, 0.5) << names;
+    EXPECT_EQ(read.recordings.front().channel("F").values, (Numbers{1500, 2500})) << names;
+    EXPECT_EQ(read.recordings.front().channel("v").values, (Numbers{2e-3, 4e-3})) << names;
+    EXPECT_EQ(codes_of(read), Names{}) << names;
+  }
+  const Recordings read =
+      read_all("time_s,force_kN,k_N_per_m,x_1,state_of\n0,1,2,3,4\n1,2,3,4,5\n");
+  EXPECT_EQ(read.recordings.front().channel("force_kN").values, (Numbers{1000, 2000}));
+  EXPECT_EQ(read.recordings.front().channel("k_N_per_m").dimension, kStiffness);
+  EXPECT_FALSE(read.recordings.front().channel("x_1").dimension);
+  EXPECT_FALSE(read.recordings.front().channel("state_of").dimension);
+  EXPECT_EQ(codes_of(read), Names{"units_in_names"});
+  const Recordings assumed = read_all(
+      "time_s,force_kN\n0,1\n1,2\n",
+      {.assumed_units = parse_assumed_units(std::vector<std::string>{"time_s=ms", "force_kN=N"})});
+  EXPECT_EQ(assumed.recordings.front().axis.step, 1e-3);
+  EXPECT_FALSE(assumed.recordings.front().channel("force_kN").dimension) << "which is given later";
+  EXPECT_EQ(recording_columns("t/s,F/N\n0,1\n1,2\n").at(1).unit, "N");
+  // Where the time has brackets, so do the others.
+  const Recordings plain = read_all("time [s],rise/fall,F/N\n0,1,2\n1,2,3\n");
+  EXPECT_EQ(names_of(plain.recordings.front()), (Names{"rise/fall", "F/N"}));
+}
+
+// FORMAT(3E11.4): a sign takes the place of the blank.
+TEST(RecordingCsvForms, TakesNumbersOfFixedWidthApart) {
+  for (const std::string names : {"time [s] force [N] gap [m]\n", "# time[s] force[N] gap[m]\n"}) {
+    const Recordings read =
+        read_all(names + " 0.0000E+00-1.2340E+00-5.6780E+00\n 1.0000E+00 1.2340E+00-2.5000E-01\n");
+    EXPECT_EQ(read.recordings.front().channel("force").values, (Numbers{-1.234, 1.234})) << names;
+    EXPECT_EQ(read.recordings.front().channel("gap").values, (Numbers{-5.678, -0.25})) << names;
+  }
+  const Recordings fixed = read_all(
+      "time [s] force [N] gap [m]\n   0.00000-1000.2500-999.50000\n   1.00000   "
+      "12.5000-6.27905-105\n");
+  EXPECT_EQ(fixed.recordings.front().channel("force").values, (Numbers{-1000.25, 12.5}));
+  EXPECT_EQ(fixed.recordings.front().channel("gap").values, (Numbers{-999.5, -6.27905e-105}));
+  EXPECT_NE(fault("time [s] day\n0.0 12-03-2024\n1.0 13-03-2024\n"), "no error");
+}
+
+TEST(RecordingCsvForms, LeavesOutTextBetweenBlanks) {
+  for (const std::string names :
+       {"time [s] force [N] state gap [mm]\n", "time [s]   force [N]   state   gap [mm]\n"}) {
+    const Recordings read = read_all(names + "0.0 1 OK 2\n0.5 2 hold 4\n");
+    EXPECT_EQ(names_of(read.recordings.front()), (Names{"force", "gap"})) << names;
+    EXPECT_EQ(codes_of(read), Names{"channel_left_out"});
+  }
+}
+
+// Rows of 5 kHz with three digits. Rows that are there twice are no such clock.
+TEST(RecordingCsvForms, TakesAClockThatRoundsForEven) {
+  std::string text = "time [s],force [N]\n";
+  for (int i = 0; i < 400; ++i) text += fmt::format("{:.3f},{}\n", i / 5000.0, i % 7);
+  const Recordings read = read_all(text);
+  ASSERT_TRUE(read.recordings.front().axis.even());
+  EXPECT_NEAR(1.0 / read.recordings.front().axis.step, 5000.0, 50.0) << "1 ms of 80";
+  EXPECT_EQ(codes_of(read), Names{"times_rounded"});
+  const Recordings stated = read_all(text, {.rate = 5000.0});
+  EXPECT_EQ(stated.recordings.front().axis.step, 1.0 / 5000.0);
+  EXPECT_EQ(codes_of(stated), Names{});
+  EXPECT_TRUE(stated.rate_used);
+  const std::string wrong = message_of<Error>([&] { return read_all(text, {.rate = 6000.0}); });
+  EXPECT_NE(wrong.find("must agree with the times"), std::string::npos) << wrong;
+  const Recordings commented = read_all("# fs = 5000 Hz\n" + text);
+  EXPECT_EQ(commented.recordings.front().axis.step, 1.0 / 5000.0);
+  EXPECT_EQ(codes_of(commented), Names{});
+}
+
+// Pairs of time and value, as loggers write channels of different rates.
+TEST(RecordingCsvForms, TellsOfASecondTime) {
+  const Recordings read = read_all("t1 [s],F [N],t2 [s],x [mm]\n0,1,0,1\n1,2,2,2\n2,3,4,3\n");
+  EXPECT_EQ(codes_of(read), Names{"other_times"});
+  EXPECT_EQ(codes_of(read_all("time [s],F [N],elapsed [min],delay [s]\n0,1,1,0\n60,2,2,5\n")),
+            Names{})
+      << "the same from another start; a span";
+}
+
+TEST(RecordingCsvForms, TakesIndicesForNames) {
+  const Recordings read = read_all("time [s]\tY[0]\tY[1]\n0\t1\t2\n1\t3\t4\n");
+  EXPECT_EQ(names_of(read.recordings.front()), (Names{"Y_0", "Y_1"}));
+  EXPECT_EQ(codes_of(read), Names{});
+  EXPECT_TRUE(read_all("time [s],n [1]\n0,1\n1,3\n").recordings.front().channel("n").dimension);
+}
+
+TEST(RecordingCsvForms, TakesThousandsApart) {
+  const Recordings comma = read_all("time [s];F [N]\n0,0;1.234,5\n0,5;-12.345.678,25\n");
+  EXPECT_EQ(comma.recordings.front().channel("F").values, (Numbers{1234.5, -12345678.25}));
+  const Recordings point = read_all("time [s];F [N]\n0.0;1,234.5\n0.5;12.5\n");
+  EXPECT_EQ(point.recordings.front().channel("F").values, (Numbers{1234.5, 12.5}));
+  const Recordings quoted = read_all("time [s],F [N]\n0,1\n1,\"1,104.374\"\n");
+  EXPECT_EQ(quoted.recordings.front().channel("F").values, (Numbers{1, 1104.374}));
+  EXPECT_EQ(codes_of(read_all("time [s];x [m];F [N]\n0,0;1;1.23,5\n0,5;1;2,5\n")),
+            Names{"channel_left_out"});
 }
 
 // catman (HBM) writes tabs and decimal commas below lines of its own.
@@ -427,8 +539,8 @@ TEST(RecordingCsvForms, ReadsExponentsOfFortran) {
 // As Fortran writes a number that fills its field.
 TEST(RecordingCsvForms, TakesNoTwoNumbersForADate) {
   EXPECT_EQ(fault("time[s] a[N]\n0.0 1.0\n0.5 2.0\n1.0-112.619 2\n"),
-            "r.csv:4:1: expected a finite number in column 1 'time [s]', found '1.0-112.619'. "
-            "Correct the cell or remove the row.");
+            "r.csv:4:1: expected 2 cells as in the header, found 3. The separator of this table is "
+            "' '.");
 }
 
 // Clocks and dates are no times in seconds: a rate serves.

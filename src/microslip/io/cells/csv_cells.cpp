@@ -30,6 +30,23 @@ std::optional<double> parse_comma_number(std::string_view text) {
   return parse_number(copy);
 }
 
+std::optional<double> parse_grouped_number(std::string_view text, char decimal) {
+  const char group = decimal == '.' ? ',' : '.';
+  const std::size_t mark = text.rfind(decimal);
+  if (mark == std::string_view::npos || text.find(group) == std::string_view::npos) return {};
+  std::string number(text.substr(0, mark));
+  std::size_t end = number.size();
+  for (std::size_t at = number.rfind(group); at != number.npos; at = number.rfind(group)) {
+    constexpr std::size_t kGroup = 4;  // with its mark
+    if (end - at != kGroup || at == 0 || number[at - 1] < '0' || number[at - 1] > '9') return {};
+    number.erase(at, 1);
+    end = at;
+  }
+  number += '.';
+  number += text.substr(mark + 1);
+  return parse_number(number);
+}
+
 std::optional<double> parse_fortran_number(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   constexpr std::size_t kDigitsAlone = 3;
@@ -47,6 +64,43 @@ std::optional<double> parse_fortran_number(std::string_view text) {
   number += 'e';
   number += exponent;
   return parse_number(number);
+}
+
+namespace {
+
+/// The length of the number that a text begins with: a decimal point and an exponent with its
+/// letter, or with a sign and three digits that no point follows. 0 where there is none.
+std::size_t fortran_length(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789";
+  const auto behind_digits = [&](std::size_t at) {
+    return std::min(text.find_first_not_of(kDigits, at), text.size());
+  };
+  std::size_t at = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
+  const std::size_t whole = behind_digits(at);
+  if (whole == text.size() || text[whole] != '.') return 0;
+  const std::size_t fraction = behind_digits(whole + 1);
+  if (fraction - at < 2) return 0;  // the point alone
+  at = fraction;
+  const bool letter = at < text.size() && std::string_view("EeDd").find(text[at]) != text.npos;
+  if (letter) ++at;
+  const bool sign = at < text.size() && (text[at] == '-' || text[at] == '+');
+  const std::size_t end = behind_digits(at + (sign ? 1 : 0));
+  if (letter) return end;
+  const bool exponent = sign && end - at == 4 && (end == text.size() || text[end] != '.');
+  return exponent ? end : fraction;
+}
+
+}  // namespace
+
+std::string_view first_of_joined(std::string_view text) {
+  const std::size_t first = fortran_length(text);
+  if (first == 0 || first == text.size()) return {};
+  for (std::size_t at = first; at < text.size();) {
+    const std::size_t length = fortran_length(text.substr(at));
+    if (length == 0 || (text[at] != '-' && text[at] != '+')) return {};
+    at += length;
+  }
+  return text.substr(0, first);
 }
 
 char find_separator(std::string_view header, char otherwise) {
@@ -236,6 +290,10 @@ RawCell CellScanner::scan_plain(const char* begin) const {
   for (; !at_cell_end(p); ++p) check_printable(p);
   const char* end = p;
   while (end != begin && (end[-1] == ' ' || end[-1] == '\t')) --end;
+  if (separator_ == ' ') {
+    const std::string_view first = first_of_joined({begin, static_cast<std::size_t>(end - begin)});
+    if (!first.empty()) end = p = begin + first.size();
+  }
   return {begin, end, p, false};
 }
 

@@ -27,6 +27,15 @@ namespace microslip {
 /// has three digits, 6.27905-105; with a decimal point.
 [[nodiscard]] std::optional<double> parse_fortran_number(std::string_view text);
 
+/// A number with its thousands apart, 1.234,56 or 1,234.56: both marks, groups of three digits.
+/// @param decimal  '.' or ','.
+[[nodiscard]] std::optional<double> parse_grouped_number(std::string_view text, char decimal);
+
+/// The first of two numbers or more that Fortran wrote into columns of fixed width without a blank
+/// between them, `-1.234E+00-5.678E+00`; each has a decimal point, and all but the first begin with
+/// a sign. Empty where the text is anything else.
+[[nodiscard]] std::string_view first_of_joined(std::string_view text);
+
 /// The first of `;` tab `,` that stands in the line outside of quotes; `otherwise` where none does.
 /// A tab beside a comma aligns cells, and does not separate them.
 [[nodiscard]] char find_separator(std::string_view header, char otherwise = ',');
@@ -128,9 +137,15 @@ class CellScanner {
   [[nodiscard]] bool skip_blank_or_comment(const char*& p,
                                            std::vector<std::string>& comments) const;
 
+  /// Between blanks, numbers without one between them are cells of their own (first_of_joined()).
   [[nodiscard]] RawCell scan(const char* p) const {
     p = skip_blanks(p);
     return p != end_ && *p == '"' ? scan_quoted(p) : scan_plain(p);
+  }
+
+  /// Where the next cell may begin, behind one that ends at `next`, not at the end of the line.
+  [[nodiscard]] const char* behind(const char* next) const {
+    return *next == separator_ ? next + 1 : next;
   }
 
   [[nodiscard]] TextPlace place(const char* p) const;

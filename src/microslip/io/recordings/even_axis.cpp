@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "microslip/io/recordings/even_axis.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -151,6 +153,12 @@ Axis axis_of(std::vector<double> values, const Dimension& dimension, const Resol
   return axis;
 }
 
+/// Whether even steps show both neighbours of their number of units, not one and an outlier.
+bool shows_rounding(double units, double count) {
+  constexpr double kFewest = 4.0;
+  return count * std::abs(units - std::round(units)) >= kFewest;
+}
+
 }  // namespace
 
 void PrintedDigits::add(std::string_view number) {
@@ -187,6 +195,36 @@ std::optional<Axis> axis_of_stated_step(std::span<const double> values, const Un
   const Line line{values.front(), step};
   if (!(step > 0.0) || !explains(line, values, resolution, true)) return std::nullopt;
   return Axis{.dimension = unit.dimension, .start = line.start, .step = step, .values = {}};
+}
+
+std::optional<RoundedClock> axis_of_rounded_clock(std::span<const double> values, const Unit& unit,
+                                                  const PrintedDigits& digits, double stated) {
+  const bool falls = !std::ranges::is_sorted(values);
+  if (values.size() < kFew || falls || unit.dimension != kTime) return std::nullopt;
+  PrintedResolution resolution(digits, unit.factor());
+  const double ulp = std::max(resolution(values.front()), resolution(values.back()));
+  const double step = stated > 0.0 ? stated : least_squares(values).step;
+  const auto n = static_cast<double>(values.size());
+  if (!(step > 0.0) || (!(stated > 0.0) && !shows_rounding(step / ulp, n))) return std::nullopt;
+  double low = 0.0;
+  double high = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double off = values[i] - values.front() - static_cast<double>(i) * step;
+    low = std::min(low, off);
+    high = std::max(high, off);
+  }
+  if (high - low > ulp * (1.0 + 2.0 / std::sqrt(n))) return std::nullopt;
+  return RoundedClock{
+      {.dimension = unit.dimension, .start = values.front(), .step = step, .values = {}},
+      ulp / (values.back() - values.front())};
+}
+
+Warning rounded_clock_warning(const RoundedClock& clock, std::string_view place) {
+  const double rate = 1.0 / clock.axis.step;
+  return {"times_rounded",
+          fmt::format("{}: the times have too few digits for their steps; they are taken as even, "
+                      "{:.6g} Hz to within {:.2g} % by their whole span. `rate` gives it exactly",
+                      place, rate, 100.0 * clock.uncertainty)};
 }
 
 Axis axis_from_singles(std::vector<double> values, const Unit& unit) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "microslip/base/summary.hpp"
 #include "microslip/base/units.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -41,6 +42,28 @@ struct PrintedDigits {
 [[nodiscard]] std::optional<Axis> axis_of_stated_step(std::span<const double> values,
                                                       const Unit& unit, const PrintedDigits& digits,
                                                       double step);
+
+/// Times that a clock rounded to its last digit, which is no finer than about half of their steps.
+struct RoundedClock {
+  Axis axis;           ///< even, from the first value on
+  double uncertainty;  ///< of the step, relative: a last digit over the span
+};
+
+/// The even axis of times that the clock rounded to q, 20 at least: start and step explain all of
+/// them,
+///   max(t_i − i·step) − min(t_i − i·step) ≤ q·(1 + 2/√n),
+/// and the rounding shows in their steps, which are whole numbers of q on both sides of
+/// step/q, four times at least: a sample that is missing is no rounding. The step is that of a
+/// least-squares line, of which the second term above is the error [uniform errors of q/√12].
+/// Times may be equal; nothing where they fall or are not even so.
+/// @param stated  a step to take in place of that of the line, in SI; 0: none.
+[[nodiscard]] std::optional<RoundedClock> axis_of_rounded_clock(std::span<const double> values,
+                                                                const Unit& unit,
+                                                                const PrintedDigits& digits,
+                                                                double stated = 0.0);
+
+/// "times_rounded": what was taken. @param place  of the times.
+[[nodiscard]] Warning rounded_clock_warning(const RoundedClock& clock, std::string_view place);
 
 /// axis_from_printed() for values that were stored in single precision, each off by half a unit in
 /// its last place: ulp(t) = 2^(⌊log2|t|⌋ − 23).

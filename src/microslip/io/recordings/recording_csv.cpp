@@ -174,7 +174,7 @@ class CsvRecordingReader {
         ++rows_;
         return scanner_->skip_line_end(next);
       }
-      p = next + 1;
+      p = scanner_->behind(next);
       if (column + 1 == columns) {
         const char* end = scanner_->skip_blanks(p);  // one separator too many may end a line
         if (!scanner_->at_line_end(end)) throw_ragged();
@@ -236,6 +236,11 @@ class CsvRecordingReader {
     if (decimal_ != Decimal::kComma) number = parse_number(text);
     if (!number && decimal_ != Decimal::kPoint) number = parse_comma_number(text);
     if (!number && decimal_ != Decimal::kComma) number = parse_fortran_number(text);
+    for (const auto& [decimal, mark] : {std::pair{Decimal::kComma, ','}, {Decimal::kPoint, '.'}}) {
+      if (number || (decimal_ != decimal && decimal_ != Decimal::kUnknown)) continue;
+      number = parse_grouped_number(text, mark);
+      if (number) decimal_ = decimal;
+    }
     if (!number) {
       // A column of text or with a cell without a value is no channel, and none of the others'.
       if (row_is_cut_ || column == header_.axis()) throw_no_number(p, column);
@@ -254,16 +259,31 @@ class CsvRecordingReader {
   void add_to_axis(const char* begin, const char* end, double value) {
     std::vector<double>& axis = values_[*header_.axis()];
     const std::string_view text(begin, static_cast<std::size_t>(end - begin));
-    if (!axis.empty() && !(value > axis.back())) {
-      if (count_cells() < values_.size()) throw_ragged();  // then it is another column
-      throw FormatError(
-          scanner_->place(begin),
-          fmt::format("a value above that of the row before in {}", header_.label(*header_.axis())),
-          in_quotes(trimmed(text)),
-          value == axis.back() ? "Write it with more digits, or remove the row."
-                               : "Sort the rows, or split the file there.");
-    }
+    if (!axis.empty() && !(value > axis.back()) && !forgives_fall(begin, text, value)) return;
     digits_.add(text);
+  }
+
+  /// Equal times may be those of a clock that rounds, which result() decides. False where the
+  /// column is no longer the axis.
+  /// @throws FormatError  where the axis falls.
+  bool forgives_fall(const char* begin, std::string_view text, double value) {
+    const std::size_t column = *header_.axis();
+    const bool equal = value == values_[column].back();
+    if (equal && equal_times_) return true;
+    if (count_cells() < values_.size()) throw_ragged();  // then it is another column
+    if (header_.columns()[column].dimension == kFrequency && header_.sampling_rate()) {
+      header_.drop_axis();
+      return false;
+    }
+    FormatError fault(
+        scanner_->place(begin),
+        fmt::format("a value above that of the row before in {}", header_.label(column)),
+        in_quotes(trimmed(text)),
+        equal ? "Write it with more digits, or remove the row."
+              : "Sort the rows, or split the file there.");
+    if (!equal) throw FormatError(fault);
+    equal_times_ = std::move(fault);
+    return true;
   }
 
   // ---- What is wrong with a row. ----
@@ -272,7 +292,7 @@ class CsvRecordingReader {
     std::size_t cells = 1;
     RawCell cell = scanner_->scan(row_);
     while (!scanner_->at_line_end(scanner_->skip_blanks(cell.next))) {
-      cell = scanner_->scan(cell.next + 1);
+      cell = scanner_->scan(scanner_->behind(cell.next));
       ++cells;
     }
     return cells;
@@ -342,9 +362,10 @@ class CsvRecordingReader {
     const std::string& name = file_.name();
     recording.source = name.substr(name.rfind('/') + 1);
     if (header_.axis()) {
-      const Unit& unit = header_.columns()[*header_.axis()].unit;
-      recording.axis = axis_from_printed(std::move(values_[*header_.axis()]), unit, digits_);
+      recording.axis = axis_of_times(std::move(values_[*header_.axis()]));
       warn_of_other_rate(recording.axis);
+      warn_of_unused_rate(recording.axis);
+      warn_of_other_times(recording.axis);
     } else {
       recording.axis.step = 1.0 / *header_.sampling_rate();
       if (!header_.is_untimed()) warn_of_frequencies();
@@ -356,10 +377,78 @@ class CsvRecordingReader {
     leave_out(recording);
     distribute_attributes(recording);
     check_recording(recording);
-    Recordings recordings{.recordings = {}, .warnings = std::move(warnings_)};
+    Recordings recordings{
+        .recordings = {}, .warnings = std::move(warnings_), .rate_used = rate_used_};
     recordings.recordings.push_back(std::move(recording));
     if (header_.is_untimed() && !options_.no_axis) note_untimed(options_, file_.name(), recordings);
     return recordings;
+  }
+
+  /// @throws FormatError  where times are equal and no clock explains it.
+  Axis axis_of_times(std::vector<double> values) {
+    const Unit& unit = header_.columns()[*header_.axis()].unit;
+    Axis axis{.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = {}};
+    if (equal_times_) {
+      axis.values = std::move(values);
+    } else {
+      axis = axis_from_printed(std::move(values), unit, digits_);
+    }
+    if (axis.even()) return axis;
+    std::optional<RoundedClock> clock = axis_of_rounded_clock(axis.values, unit, digits_);
+    if (clock) return axis_of_clock(*clock, axis.values);
+    if (equal_times_) throw FormatError(*equal_times_);
+    return axis;
+  }
+
+  /// With the rate that is stated, where there is one that agrees with the times.
+  Axis axis_of_clock(const RoundedClock& clock, const std::vector<double>& values) {
+    const Unit& unit = header_.columns()[*header_.axis()].unit;
+    for (const std::optional<double>& rate : {options_.rate, header_.sampling_rate()}) {
+      if (!rate) continue;
+      const auto stated = axis_of_rounded_clock(values, unit, digits_, 1.0 / *rate);
+      rate_used_ = rate_used_ || rate == options_.rate;
+      if (stated) return stated->axis;
+      if (rate != options_.rate) continue;
+      throw InputError("`rate`", fmt::format("{:.12g} Hz", *rate),
+                       fmt::format("must agree with the times of {}, which are {:.6g} Hz to "
+                                   "within {:.2g} %",
+                                   file_.name(), 1.0 / clock.axis.step, 100.0 * clock.uncertainty));
+    }
+    warnings_.push_back(rounded_clock_warning(clock, file_.name()));
+    return clock.axis;
+  }
+
+  void warn_of_unused_rate(const Axis& axis) {
+    if (axis.dimension != kFrequency || !header_.sampling_rate()) return;
+    const std::string name = in_quotes(header_.columns()[*header_.axis()].name);
+    warnings_.push_back(
+        {"axis_chosen",
+         fmt::format("{}: {} is taken for the axis, though a comment gives {:.6g} Hz as the "
+                     "sampling rate. Where the values are over time, give {} another name, such "
+                     "as 'drive'",
+                     file_.name(), name, *header_.sampling_rate(), name)});
+  }
+
+  /// Columns behind a second time may be over that: loggers write pairs of time and value.
+  void warn_of_other_times(const Axis& axis) {
+    constexpr double kSame = 0.01;  // of the step, beside what the digits leave
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const RecordingColumn& column = header_.columns()[i];
+      const std::vector<double>& times = values_[i];
+      const auto rank = rank_as_axis(column.name, column.unit);
+      const bool is_time = column.dimension == kTime && rank <= AxisRank::kLongTime;
+      if (left_out_[i] || i == header_.axis() || !is_time || axis.dimension != kTime) continue;
+      if (times.size() < 2 || !std::ranges::is_sorted(times)) continue;
+      const std::size_t last = times.size() - 1;
+      const double span = axis.at(last) - axis.at(0);
+      const double other = times[last] - times[0];
+      if (!(other > 0.0) || std::abs(other - span) <= kSame * span) continue;
+      warnings_.push_back(
+          {"other_times",
+           fmt::format("{}: {} rises as well, by {:.6g} s in place of {:.6g} s: where columns are "
+                       "over it, put it and them into a file of their own",
+                       file_.name(), in_quotes(column.name), other, span)});
+    }
   }
 
   /// Where the rate is taken for the axis and frequencies rise, which may be it as well.
@@ -469,6 +558,8 @@ class CsvRecordingReader {
   bool header_resolved_ = false;
   const char* row_ = nullptr;  ///< where the row begins that is read
   bool row_is_cut_ = false;
+  bool rate_used_ = false;                  ///< that of the options
+  std::optional<FormatError> equal_times_;  ///< the first time that is not above the one before
   Decimal decimal_ = Decimal::kUnknown;
   std::optional<CellScanner> scanner_;  ///< of the block
   const char* end_ = nullptr;           ///< of the block
@@ -490,6 +581,7 @@ std::vector<CsvColumn> recording_columns(std::string_view head) {
   try {
     header.read_names(commented ? start.commented : start.names, 1, start);
     if (!commented) (void)header.read_units(start.below, 2);
+    header.take_units_of_names({});
   } catch (const FormatError&) {
     return {};
   }

@@ -156,7 +156,7 @@ std::vector<RecordingCsvHeader::Cell> RecordingCsvHeader::read_cells(std::string
       cells.push_back({.column = {.name = text, .unit = {}}, .place = place});
     }
     if (last) return cells;
-    p = raw.next + 1;
+    p = scanner.behind(raw.next);
   }
 }
 
@@ -184,6 +184,7 @@ void RecordingCsvHeader::read_names(std::string_view line, std::size_t number,
     cells_[i].column = *column;
     if (column->name.empty()) cells_[i].column.name = fmt::format("column {}", i + 1);
   }
+  keep_indices();
   // Who writes blanks between names that have some quotes them.
   words_ = separator_ == ' ' && find_separator(line, ' ') == ' ' && line.find('"') == line.npos &&
            !table.gaps;
@@ -192,10 +193,30 @@ void RecordingCsvHeader::read_names(std::string_view line, std::size_t number,
   }
 }
 
-/// A name of two words over one column and a column without a name look as two names do.
-void RecordingCsvHeader::check_words() const {
+/// `Y[0]` and `Y[1]` are channels of LabVIEW, not one without unit and one in 1: whole numbers in
+/// brackets are indices where one of them is not 1. The names are Y_0 and Y_1, as brackets have
+/// units.
+void RecordingCsvHeader::keep_indices() {
+  const auto is_index = [](const Cell& cell) {
+    const std::optional<std::string>& unit = cell.column.unit;
+    return unit && !unit->empty() && unit->find_first_not_of("0123456789") == std::string::npos;
+  };
+  const bool found = std::ranges::any_of(
+      cells_, [&](const Cell& cell) { return is_index(cell) && cell.column.unit != "1"; });
+  if (!found) return;
+  for (Cell& cell : cells_) {
+    if (!is_index(cell)) continue;
+    cell.column.name += fmt::format("_{}", *cell.column.unit);
+    cell.column.unit.reset();
+  }
+}
+
+/// A name of two words over one column and a column without a name look as two names do. One over
+/// text is a name of its own: it has no unit.
+void RecordingCsvHeader::check_words(const TableStart& table) const {
   for (std::size_t i = 0; i + 1 < cells_.size(); ++i) {
-    if (cells_[i].column.unit || !cells_[i + 1].column.unit) continue;
+    const bool over_text = i < table.texts.size() && !table.texts[i].empty();
+    if (cells_[i].column.unit || over_text || !cells_[i + 1].column.unit) continue;
     throw FormatError(
         cells_[i].place, "a unit behind each name, for blanks separate them",
         fmt::format("{} without one before {}", in_quotes(cells_[i].column.name),
@@ -262,6 +283,36 @@ bool RecordingCsvHeader::read_units(std::string_view line, std::size_t number) {
   return true;
 }
 
+void RecordingCsvHeader::take_units_of_names(const AssumedUnits& assumed) {
+  const std::vector<CsvColumn> columns = columns_as_written();
+  unit_mark_ = unit_mark_of(columns);
+  if (!unit_mark_) return;
+  for (Cell& cell : cells_) {
+    std::string& name = cell.column.name;
+    if (cell.column.unit) {  // `v / (mm/s)`
+      if (unit_mark_ == UnitMark::kSlash && name.ends_with('/')) name.pop_back();
+      name = trimmed(name);
+    } else if (auto split = split_unit_of_name(name, *unit_mark_)) {
+      const bool is_assumed = unit_mark_ == UnitMark::kUnderscore && assumed.names(name);
+      if (!is_assumed || stated_unit_of_time(*split->unit)) cell.column = *std::move(split);
+    }
+  }
+}
+
+/// Of those behind `_`, which may be part of a name.
+void RecordingCsvHeader::warn_of_units_in_names(std::vector<Warning>& warnings) const {
+  if (unit_mark_ != UnitMark::kUnderscore) return;
+  std::string names;
+  for (const Cell& cell : cells_) {
+    if (!cell.column.unit) continue;
+    names += fmt::format("{}{} in {}", names.empty() ? "" : ", ", in_quotes(cell.column.name),
+                         *cell.column.unit);
+  }
+  warnings.push_back({"units_in_names", fmt::format("{}: units are taken from the ends of names: "
+                                                    "{}. Where one is none, write 'name [unit]'",
+                                                    file_, names)});
+}
+
 RecordingColumn RecordingCsvHeader::resolve_column(std::size_t i) const {
   const auto& [name, unit_text] = cells_[i].column;
   RecordingColumn column{.name = name, .unit = {}, .dimension = {}};
@@ -288,10 +339,10 @@ void RecordingCsvHeader::warn_of_unknown_units(std::vector<Warning>& warnings) c
   }
 }
 
-/// With a rate in a comment, a frequency is a channel like others, and so is a column that may be
-/// a time but need not.
-std::optional<AxisRank> RecordingCsvHeader::axis_rank(std::size_t i,
-                                                      const AssumedUnits& assumed) const {
+/// With a rate in a comment, a frequency that does not rise is a channel like others, and so is a
+/// column that may be a time but need not.
+std::optional<AxisRank> RecordingCsvHeader::axis_rank(std::size_t i, const AssumedUnits& assumed,
+                                                      const std::vector<bool>& rising) const {
   const RecordingColumn& column = columns_[i];
   std::optional<AxisRank> rank;
   if (column.dimension) {
@@ -305,16 +356,19 @@ std::optional<AxisRank> RecordingCsvHeader::axis_rank(std::size_t i,
   }
   const bool frequency =
       (column.dimension ? column.dimension : axis_dimension(column.name)) == kFrequency;
-  const bool doubtful = rank && *rank >= AxisRank::kSpan;
-  return rate_ && (frequency || doubtful) ? std::nullopt : rank;
+  const bool rises = i < rising.size() && rising[i];
+  const bool channel =
+      rank && (frequency ? !rises || *rank != AxisRank::kNamedFrequency : *rank >= AxisRank::kSpan);
+  return rate_ && channel ? std::nullopt : rank;
 }
 
 /// The first one of the best rank.
-std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& assumed) const {
+std::optional<std::size_t> RecordingCsvHeader::find_axis(const AssumedUnits& assumed,
+                                                         const std::vector<bool>& rising) const {
   std::optional<std::size_t> best;
   std::optional<AxisRank> of_best;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const std::optional<AxisRank> rank = axis_rank(i, assumed);
+    const std::optional<AxisRank> rank = axis_rank(i, assumed, rising);
     if (!rank || (of_best && *of_best <= *rank)) continue;
     best = i;
     of_best = rank;
@@ -326,14 +380,15 @@ void RecordingCsvHeader::prefer_frequency(const AssumedUnits& assumed,
                                           const std::vector<bool>& rising,
                                           std::vector<Warning>& warnings) {
   const RecordingColumn& time = columns_[*axis_];
-  if (axis_rank(*axis_, assumed) != AxisRank::kTimeUnit || is_named_as_time(time.name)) return;
+  if (axis_rank(*axis_, assumed, rising) != AxisRank::kTimeUnit || is_named_as_time(time.name))
+    return;
   const auto rises = [&](std::size_t i) { return i < rising.size() && rising[i]; };
   std::optional<std::size_t> frequency;
   std::size_t found = 0;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].dimension != kFrequency || !rises(i)) continue;
     ++found;
-    if (axis_rank(i, assumed) == AxisRank::kNamedFrequency) frequency = i;
+    if (axis_rank(i, assumed, rising) == AxisRank::kNamedFrequency) frequency = i;
   }
   if (found != 1 || !frequency) return;
   if (rises(*axis_)) {
@@ -349,7 +404,9 @@ void RecordingCsvHeader::prefer_frequency(const AssumedUnits& assumed,
 
 void RecordingCsvHeader::resolve(const RecordingReadOptions& options, const TableStart& table,
                                  std::vector<Warning>& warnings) {
-  if (words_) check_words();
+  take_units_of_names(options.assumed_units);
+  warn_of_units_in_names(warnings);
+  if (words_) check_words(table);
   tell_names_apart(warnings);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     RecordingColumn& column = columns_.emplace_back(resolve_column(i));
@@ -363,7 +420,7 @@ void RecordingCsvHeader::resolve(const RecordingReadOptions& options, const Tabl
     untimed_ = true;
     return warn_of_unknown_units(warnings);
   }
-  axis_ = find_axis(options.assumed_units);
+  axis_ = find_axis(options.assumed_units, table.rising);
   if (axis_) prefer_frequency(options.assumed_units, table.rising, warnings);
   const bool may_be_text = axis_ && *axis_ < table.texts.size() && !columns_[*axis_].dimension;
   if (may_be_text && !table.texts[*axis_].empty()) {
@@ -388,6 +445,11 @@ void RecordingCsvHeader::resolve_axis(const AssumedUnits& assumed) {
   RecordingColumn& column = columns_[*axis_];
   if (column.dimension) {
     if (!assumed.names(column.name)) return;
+    const std::optional<Unit> unit = assumed.find(column.name);
+    if (unit_mark_ == UnitMark::kUnderscore && unit->dimension == column.dimension) {
+      column.unit = *unit;
+      return;
+    }
     throw InputError(fmt::format("{}: {}", file_, label(*axis_)), dimension_name(*column.dimension),
                      "must have no unit if one is assumed", "The unit in the file is used.");
   }

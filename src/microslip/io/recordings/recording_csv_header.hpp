@@ -14,6 +14,7 @@
 #include "microslip/io/recordings/axis_rank.hpp"
 #include "microslip/io/recordings/recordings.hpp"
 #include "microslip/io/recordings/table_start.hpp"
+#include "microslip/io/recordings/unit_in_name.hpp"
 #include "microslip/io/tables/csv.hpp"
 #include "microslip/signal/recording/recording.hpp"
 
@@ -56,6 +57,10 @@ class RecordingCsvHeader {
   /// @throws FormatError  where it is one with more or fewer cells than the line of names.
   bool read_units(std::string_view line, std::size_t number);
 
+  /// Takes units off names that have them without brackets, as `F/kN` does, where one is that of a
+  /// time or frequency (unit_mark_of()). A unit that is assumed comes before one behind `_`.
+  void take_units_of_names(const AssumedUnits& assumed);
+
   /// When both lines have been read, if the second is there. Columns of one name are distinguished
   /// by their units, else by their numbers.
   /// @param warnings  on units that are not known, and on names that were changed.
@@ -81,6 +86,9 @@ class RecordingCsvHeader {
   [[nodiscard]] const std::vector<RecordingColumn>& columns() const { return columns_; }
   /// The column of the axis; nothing where a comment gives the rate.
   [[nodiscard]] std::optional<std::size_t> axis() const { return axis_; }
+  /// Makes a channel of the column of the axis: beside a rate a frequency is the axis only where it
+  /// rises.
+  void drop_axis() { axis_.reset(); }
   /// The rate that a comment gives, in Hz; that of untimed_step() where is_untimed().
   [[nodiscard]] std::optional<double> sampling_rate() const { return rate_; }
   /// Whether neither a column nor a comment says when rows were taken.
@@ -96,13 +104,16 @@ class RecordingCsvHeader {
   };
 
   [[nodiscard]] std::vector<Cell> read_cells(std::string_view line, std::size_t number) const;
-  void check_words() const;
+  void keep_indices();
+  void check_words(const TableStart& table) const;
   void tell_names_apart(std::vector<Warning>& warnings);
   [[nodiscard]] RecordingColumn resolve_column(std::size_t column) const;
+  void warn_of_units_in_names(std::vector<Warning>& warnings) const;
   void warn_of_unknown_units(std::vector<Warning>& warnings) const;
-  [[nodiscard]] std::optional<AxisRank> axis_rank(std::size_t column,
-                                                  const AssumedUnits& assumed) const;
-  [[nodiscard]] std::optional<std::size_t> find_axis(const AssumedUnits& assumed) const;
+  [[nodiscard]] std::optional<AxisRank> axis_rank(std::size_t column, const AssumedUnits& assumed,
+                                                  const std::vector<bool>& rising) const;
+  [[nodiscard]] std::optional<std::size_t> find_axis(const AssumedUnits& assumed,
+                                                     const std::vector<bool>& rising) const;
   void prefer_frequency(const AssumedUnits& assumed, const std::vector<bool>& rising,
                         std::vector<Warning>& warnings);
   void resolve_axis(const AssumedUnits& assumed);
@@ -111,7 +122,8 @@ class RecordingCsvHeader {
 
   std::string file_;
   char separator_ = ',';
-  bool words_ = false;  ///< whether names are words between blanks, without quotes
+  std::optional<UnitMark> unit_mark_;  ///< where names had units
+  bool words_ = false;                 ///< whether names are words between blanks, without quotes
   std::vector<Cell> cells_;
   std::vector<RecordingColumn> columns_;
   std::optional<std::size_t> axis_;

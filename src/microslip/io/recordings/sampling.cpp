@@ -140,7 +140,7 @@ StoredPoints stored_points(const PointsInFile& file) {
 /// @param points  in SI, which were in `unit`.
 /// @param stated  the step that is stated elsewhere; 0: none.
 Axis axis_of(std::vector<double> points, const Unit& unit, const StoredPoints& stored,
-             double stated) {
+             double stated, std::string_view place, std::vector<Warning>& warnings) {
   const auto even = [&](double step) {
     return Axis{.dimension = unit.dimension, .start = points.front(), .step = step, .values = {}};
   };
@@ -152,7 +152,18 @@ Axis axis_of(std::vector<double> points, const Unit& unit, const StoredPoints& s
   if (stored.exact_step) return even(unit.to_si(*stored.exact_step));
   if (stored.printed && rise(points)) {
     const auto axis = axis_of_stated_step(points, unit, *stored.printed, stated);
-    return axis ? *axis : axis_from_printed(std::move(points), unit, *stored.printed);
+    Axis found = axis ? *axis : axis_from_printed(std::move(points), unit, *stored.printed);
+    if (found.even()) return found;
+    points = std::move(found.values);
+  }
+  if (stored.printed && !stored.are_text) {
+    if (const auto clock = axis_of_rounded_clock(points, unit, *stored.printed)) {
+      warnings.push_back(rounded_clock_warning(*clock, place));
+      return clock->axis;
+    }
+  }
+  if (stored.printed) {
+    return {.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = std::move(points)};
   }
   const double mean =
       points.size() < 2 ? 0.0
@@ -192,6 +203,11 @@ bool may_be_points(std::string_view name, std::span<const double> values) {
     if (!(values[i - 1] < values[i])) return false;
   }
   return true;
+}
+
+bool may_be_frequencies(std::string_view name, std::span<const double> values, bool has_rate) {
+  const auto fault = std::ranges::adjacent_find(values, std::not_fn(std::less<>()));
+  return may_be_points(name, values) && (!has_rate || fault == values.end());
 }
 
 double step_of_rate(double rate, const std::string& place) {
@@ -241,7 +257,8 @@ PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step,
   if (from_first) begin_at_zero(file.points);
   scale(file.points, unit);
   const double step = unit.dimension == kTime ? stated_step.value_or(0.0) : 0.0;
-  return {.axis = axis_of(std::move(file.points), unit, stored, step), .points = count};
+  return {.axis = axis_of(std::move(file.points), unit, stored, step, file.place, warnings),
+          .points = count};
 }
 
 std::optional<Warning> contradicting_rate(const PointsAxis& points,

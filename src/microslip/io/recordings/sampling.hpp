@@ -20,11 +20,12 @@
 
 namespace microslip {
 
-inline constexpr std::array<const char*, 16> kRateNames{"fs",
+inline constexpr std::array<const char*, 17> kRateNames{"fs",
                                                         "Fs",
                                                         "FS",
                                                         "sampling_rate",
                                                         "sample_rate",
+                                                        "Sample_rate",
                                                         "samplingrate",
                                                         "samplerate",
                                                         "samplingRate",
@@ -36,12 +37,13 @@ inline constexpr std::array<const char*, 16> kRateNames{"fs",
                                                         "sampling_rate_hz",
                                                         "ActualRate",
                                                         "Time_Sample_Rate"};
-inline constexpr std::array<const char*, 5> kStepNames{"dt", "Dt", "sampling_interval", "delta_t",
-                                                       "wf_increment"};
-inline constexpr std::array<const char*, 4> kStartNames{"t0", "start", "start_time",
-                                                        "wf_start_offset"};
+inline constexpr std::array<const char*, 6> kStepNames{
+    "dt", "Dt", "sampling_interval", "delta_t", "wf_increment", "increment"};
+inline constexpr std::array<const char*, 5> kStartNames{"t0", "start", "start_time",
+                                                        "wf_start_offset", "start_value"};
 inline constexpr std::array<const char*, 3> kTimeNames{"time", "Time", "t"};
-inline constexpr std::array<const char*, 4> kFrequencyNames{"frequency", "Frequency", "freq", "f"};
+inline constexpr std::array<const char*, 5> kFrequencyNames{"frequency", "Frequency", "freq",
+                                                            "Freq", "f"};
 inline constexpr std::array<const char*, 5> kUnitNames{"unit_str", "unit", "units", "unit_string",
                                                        "NI_UnitDescription"};
 
@@ -53,6 +55,11 @@ template <class Names>
 /// Whether values of such a name are the points. A single letter may stand for a force or a torque
 /// as well: it does unless the values rise.
 [[nodiscard]] bool may_be_points(std::string_view name, std::span<const double> values);
+
+/// Whether values by a name of frequency are the points: beside a rate only where they rise, for
+/// the frequencies of a drive over time may fall.
+[[nodiscard]] bool may_be_frequencies(std::string_view name, std::span<const double> values,
+                                      bool has_rate);
 
 /// Axis as known before the values are read.
 struct Sampling {

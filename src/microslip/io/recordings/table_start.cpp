@@ -31,6 +31,8 @@ struct TableLine {
 std::optional<double> number_in(std::string_view cell) {
   std::optional<double> number = parse_number(cell);
   if (!number) number = parse_comma_number(cell);
+  if (!number) number = parse_grouped_number(cell, ',');
+  if (!number) number = parse_grouped_number(cell, '.');
   return number ? number : parse_fortran_number(cell);
 }
 
@@ -60,14 +62,28 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// Whether the line is a row of numbers with nothing but blanks between them. The first may be in
-/// quotes, as the names of rows are.
+/// Words of which numbers in columns of fixed width, without blanks between them, are apart.
+std::vector<std::string_view> words_apart(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::string_view word : words_of(text)) {
+    for (auto first = first_of_joined(word); !first.empty(); first = first_of_joined(word)) {
+      words.push_back(first);
+      word.remove_prefix(first.size());
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
+/// Whether the line is a row of numbers, two at least, with nothing but blanks between them, and
+/// not more words of text than numbers. The first may be in quotes, as the names of rows are.
 bool split_by_blanks(TableLine& line) {
   if (line.text.find_first_of(",;\t") != std::string_view::npos) return false;
-  std::vector<std::string_view> words = words_of(line.text);
-  if (words.size() < 2 || !std::ranges::all_of(words, is_number_cell)) return false;
+  std::vector<std::string_view> words = words_apart(line.text);
+  const auto numbers = static_cast<std::size_t>(std::ranges::count_if(words, is_number_cell));
+  if (numbers < 2 || 2 * numbers < words.size()) return false;
   line.cells = std::move(words);
-  line.numbers = line.cells.size();
+  line.numbers = numbers;
   line.blanks = true;
   return true;
 }
