@@ -899,6 +899,19 @@ TEST_F(Hdf5NetCdf, NamesTheFilterThatIsMissing) {
 }
 
 // A frequency response keeps the rate at which it was sampled; a chirp may have both as well.
+// The frequencies of a drive over time may fall.
+TEST_F(Hdf5NetCdf, TakesTheRateBesideAFrequencyThatFalls) {
+  {
+    OtherFile file(path_);
+    file.dataset<double>("frequency", H5T_NATIVE_DOUBLE, {3}, {1.0, 3.0, 2.0});
+    file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+    file.number("/", "fs", 1000.0);
+  }
+  const Recordings all = read();
+  EXPECT_EQ(all.recordings.at(0).sampling_rate(), 1000.0);
+  EXPECT_EQ(all.recordings.at(0).channels.size(), 2U);
+}
+
 TEST_F(Hdf5NetCdf, SaysThatAFrequencyIsTheAxisBesideARate) {
   struct Row {
     double frequency;

@@ -389,7 +389,8 @@ TEST_F(MatOther, ReadsALastVariableThatClaimsATagMore) {
 
 // As libsndfile, the acquisition of MATLAB and test systems call it.
 TEST_F(MatOther, KnowsOtherNamesOfTheRate) {
-  for (const char* name : {"samplerate", "SampleRate", "ActualRate", "Time_Sample_Rate"}) {
+  for (const char* name :
+       {"samplerate", "SampleRate", "Sample_rate", "ActualRate", "Time_Sample_Rate"}) {
     {
       OtherMat file(path_);
       file.add(name, {48000.0}, 1);
@@ -457,6 +458,53 @@ TEST_F(MatOther, SaysThatAFrequencyIsTheAxisBesideARate) {
   EXPECT_EQ(read.recordings.at(0).axis.dimension, kFrequency);
   ASSERT_EQ(read.warnings.size(), 1U);
   EXPECT_EQ(read.warnings[0].code, "axis_chosen");
+}
+
+// Simcenter Testlab states the axis of each function and its unit in structs of their own.
+TEST_F(MatOther, TakesFunctionsOfTestlab) {
+  const Recordings read =
+      read_recordings_mat(std::string(MICROSLIP_TEST_DATA) + "/mat/testlab.mat");
+  ASSERT_EQ(read.recordings.size(), 1U);
+  const Recording& recording = read.recordings.front();
+  EXPECT_DOUBLE_EQ(recording.axis.step, 0.01);
+  EXPECT_DOUBLE_EQ(recording.axis.start, 2.0);
+  EXPECT_EQ(recording.channel("Force").values, (std::vector<double>{1e3, 2e3, 3e3, 4e3}));
+  EXPECT_DOUBLE_EQ(recording.channel("Tip").values.back(), 9.80665);
+}
+
+// A sweep up and down has frequencies that are no axis; the rate is.
+TEST_F(MatOther, TakesTheRateBesideAFrequencyThatFalls) {
+  {
+    OtherMat file(path_);
+    file.add("frequency", {1.0, 3.0, 2.0}, 3);
+    file.add("fs", {1000.0}, 1);
+    file.add("H", {1.0, 2.0, 3.0}, 3);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  EXPECT_EQ(read.recordings.at(0).sampling_rate(), 1000.0);
+  EXPECT_EQ(read.recordings.at(0).channels.size(), 2U);
+}
+
+// Whole milliseconds of a clock at 1.6 kHz, of which some are equal.
+TEST_F(MatOther, TakesTimesOfAClockThatRoundsForEven) {
+  constexpr std::size_t kCount = 400;
+  {
+    OtherMat file(path_);
+    std::vector<std::int64_t> times;
+    std::vector<double> force;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      times.push_back(std::llround(static_cast<double>(i) * 0.625));
+      force.push_back(static_cast<double>(i % 7));
+    }
+    file.add_int64("time", times);
+    file.add("time_unit", "ms");
+    file.add("force", force, kCount);
+  }
+  const Recordings read = read_recordings_mat(path_);
+  ASSERT_TRUE(read.recordings.at(0).axis.even());
+  // The line through times that are uniformly wrong by 1 ms/√12: of its slope √12/(√n n) of that.
+  EXPECT_NEAR(read.recordings.at(0).axis.step, 0.625e-3, 1e-3 / (20.0 * kCount));
+  EXPECT_EQ(read.warnings.at(0).code, "times_rounded");
 }
 
 // A capture of dSPACE: run.X is the time, run.Y(i) a channel, each with Name, Data and Unit.

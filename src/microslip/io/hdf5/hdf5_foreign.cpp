@@ -345,7 +345,7 @@ class ForeignReader {
         if (found != table.fields.end()) break;
         found = std::ranges::find_if(table.fields, [&](const Hdf5Field& field) {
           return field.name == name && may_be_unit_of_points(field.unit, usual) &&
-                 may_be_points(field.name, field.values);
+                 may_be_frequencies(field.name, field.values, has_rate && usual == kFrequency);
         });
       }
       return found;
@@ -476,7 +476,7 @@ class ForeignReader {
         if (!may_be_unit_of_points(unit, usual)) return false;
         points = usual == kTime ? read_times(d.handle.id(), d.place, unit)
                                 : read_values(d.handle.id(), d.place);
-        return may_be_points(d.name, points);
+        return may_be_frequencies(d.name, points, sampling.step && usual == kFrequency);
       });
       if (found == datasets.end()) return std::nullopt;
       const Dataset dataset = std::move(*found);

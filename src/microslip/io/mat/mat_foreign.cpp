@@ -143,17 +143,18 @@ std::vector<Array> arrays_of(MatValue& value, std::size_t element) {
   return arrays;
 }
 
-bool may_be_axis(const Array& array, std::string_view name, const Dimension& usual) {
+bool may_be_axis(const Array& array, std::string_view name, const Dimension& usual, bool has_rate) {
   return array.name == name && array.value->is_vector() && array.value->imaginary.empty() &&
-         may_be_unit_of_points(array.unit, usual) && may_be_points(array.name, array.value->real);
+         may_be_unit_of_points(array.unit, usual) &&
+         may_be_frequencies(array.name, array.value->real, has_rate && usual == kFrequency);
 }
 
 /// The array of the points, of what they usually are; the number of arrays where there is none.
-std::pair<std::size_t, Dimension> find_points(const std::vector<Array>& arrays) {
+std::pair<std::size_t, Dimension> find_points(const std::vector<Array>& arrays, bool has_rate) {
   std::size_t index = arrays.size();
   const auto find = [&](std::string_view name, const Dimension& usual) {
-    const auto found =
-        std::ranges::find_if(arrays, [&](const Array& a) { return may_be_axis(a, name, usual); });
+    const auto found = std::ranges::find_if(
+        arrays, [&](const Array& a) { return may_be_axis(a, name, usual, has_rate); });
     index = static_cast<std::size_t>(found - arrays.begin());
     return index < arrays.size();
   };
@@ -169,9 +170,41 @@ std::size_t channels_of(const MatValue& value) {
   return value.is_vector() ? 1 : std::min(value.sizes[0], value.sizes[1]);
 }
 
+/// A function as Simcenter Testlab writes it, a struct of `x_values` (`start_value`, `increment`)
+/// and `y_values` (`values`), each with the label of its unit in `quantity`.
+struct TestlabFunction {
+  MatValue* values;
+  std::string unit;
+  Axis axis;
+};
+
+std::string label_of_quantity(MatValue& values) {
+  MatValue* const quantity = field_of(values, 0, "quantity");
+  if (quantity == nullptr || quantity->kind != Kind::kStruct) return {};
+  return mat_text(field_of(*quantity, 0, "label"));
+}
+
+/// Nothing where it is no such function, or one over neither time nor frequency.
+std::optional<TestlabFunction> testlab_function(MatValue& value, std::size_t element,
+                                                const std::string& place) {
+  MatValue* const x = field_of(value, element, "x_values");
+  MatValue* const y = field_of(value, element, "y_values");
+  if (x == nullptr || y == nullptr || x->kind != Kind::kStruct || !is_channels(*y)) return {};
+  const std::optional<Unit> unit = find_unit_of_points(label_of_quantity(*x));
+  const Sampling sampling = sampling_of(*x, 0, {}, place);
+  if (!unit || !sampling.step || y->count() != 1) return {};
+  if (unit->dimension != kTime && unit->dimension != kFrequency) return {};
+  return TestlabFunction{values_of(*y, 0),
+                         label_of_quantity(*y),
+                         {.dimension = unit->dimension,
+                          .start = unit->to_si(sampling.start),
+                          .step = unit->to_si(*sampling.step),
+                          .values = {}}};
+}
+
 /// Takes the points off the arrays, for the scope.
 void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& warnings) {
-  const auto [index, usual] = find_points(arrays);
+  const auto [index, usual] = find_points(arrays, scope.sampling.step.has_value());
   if (index == arrays.size()) return;
   const Array& array = arrays[index];
   scope.axis_name = array.name;
@@ -210,10 +243,14 @@ class Collector {
       result_.recordings.push_back(std::move(own));
       return;
     }
+    if (const auto function = testlab_function(value, element, scope.place)) {
+      add_function(*function, scope);
+      return;
+    }
     scope.sampling = sampling_of(value, element, known, scope.place);
     scope.names = mat_texts(first_field(value, element, kNamesNames));
     std::vector<Array> arrays = arrays_of(value, element);
-    give_units(value, element, arrays, scope.place);
+    give_units(value, element, arrays, scope);
     take_axis(arrays, scope, result_.warnings);
     if (!only.empty()) std::erase_if(arrays, [&](const Array& a) { return a.name != only; });
     read_arrays(arrays, scope);
@@ -233,7 +270,8 @@ class Collector {
 
   /// Where there are no other values: an array of structs beside them lists events, for instance.
   void read_tables() {
-    if (!result_.recordings.empty() || !without_axis_.empty()) return;
+    const bool found = !result_.recordings.empty() || !functions_.empty();
+    if (found || !without_axis_.empty()) return;
     for (const TableOfRows& rows : tables_) {
       try {
         read_table(rows);
@@ -245,10 +283,11 @@ class Collector {
 
   /// Whether all that there is has no axis.
   [[nodiscard]] bool is_untimed() const {
-    return result_.recordings.empty() && may_be_untimed(without_axis_);
+    return result_.recordings.empty() && functions_.empty() && may_be_untimed(without_axis_);
   }
 
   Recordings finish() {
+    std::ranges::move(functions_, std::back_inserter(result_.recordings));
     if (result_.recordings.empty()) fail_without_recording();
     check_foreign(result_, path_);
     warn_without_rate(without_axis_, result_.warnings);
@@ -273,15 +312,31 @@ class Collector {
     read_struct(columns.table, 0, rows.known, rows.inside);
   }
 
+  /// Functions of one axis are a recording, called by their variables.
+  void add_function(const TestlabFunction& function, const Scope& scope) {
+    const bool longer = function.values->sizes[1] > function.values->sizes[0];
+    const std::string name =
+        scope.inside.empty() ? "y_values" : scope.inside.substr(scope.inside.rfind('.') + 1);
+    std::vector<MatValue> parts = parts_of(*function.values, longer);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      Channel channel;
+      channel.name = parts.size() == 1 ? name : fmt::format("{}_{}", name, i + 1);
+      channel.values = std::move(parts[i].real);
+      channel.imaginary = std::move(parts[i].imaginary);
+      apply_unit(channel, function.unit, scope.place, result_.warnings);
+      add_channel(functions_, file_name(path_), function.axis, std::move(channel), scope.inside);
+    }
+  }
+
   void give_units(MatValue& value, std::size_t element, std::vector<Array>& arrays,
-                  const std::string& place) {
-    const std::size_t axis = find_points(arrays).first;
+                  const Scope& scope) {
+    const std::size_t axis = find_points(arrays, scope.sampling.step.has_value()).first;
     std::vector<UnitOfArray> units;
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       const std::size_t channels = i == axis ? 0 : channels_of(*arrays[i].value);
       units.push_back({arrays[i].name, channels, arrays[i].unit});
     }
-    assign_units(value, element, first_field(value, element, kUnitNames), units, place,
+    assign_units(value, element, first_field(value, element, kUnitNames), units, scope.place,
                  result_.warnings);
     for (std::size_t i = 0; i < arrays.size(); ++i) {
       arrays[i].unit = std::move(units[i].unit);
@@ -402,6 +457,7 @@ class Collector {
   const RecordingReadOptions& options_;
   bool place_untimed_;
   Recordings result_;
+  std::vector<Recording> functions_;  ///< of TestlabFunction
   std::vector<WithoutAxis> without_axis_;
   std::vector<TableOfRows> tables_;
   std::optional<FormatError> fault_of_table_;                ///< of the first that is no recording
