@@ -60,6 +60,17 @@ TEST_F(TestFileTest, HasTheTextOfATableAndTheHashOfAll) {
   EXPECT_EQ(read_stepped_sines(opened(kSweep)).at(0).frequency, (std::vector<double>{80.0, 81.0}));
 }
 
+// Which variable of a MATLAB file is meant need not be said where only one can be.
+TEST_F(TestFileTest, FindsTheOnlySweepOfAMatlabFile) {
+  const std::string data = std::string(MICROSLIP_TEST_DATA) + "/mat/";
+  const TestFile alone = open_test(data + "sweep.mat");
+  ASSERT_EQ(alone.content, TestContent::kSteppedSine);
+  EXPECT_EQ(read_stepped_sines(alone).at(0).frequency, (std::vector<double>{80.0, 81.0}));
+  EXPECT_EQ(alone.sha256, open_test(data + "sweep.mat:Sweep").sha256);
+  EXPECT_EQ(open_test(data + "two_sweeps.mat").content, TestContent::kRecording);
+  EXPECT_EQ(open_test(data + "plain5.mat").content, TestContent::kRecording);
+}
+
 TEST_F(TestFileTest, HasTheFormatOfARecording) {
   const TestFile hdf5 = opened(std::string(512, ' ') + std::string("\x89HDF\r\n\x1A\n\0\0", 10));
   EXPECT_EQ(hdf5.format, RecordingFormat::kHdf5) << "behind a user block";

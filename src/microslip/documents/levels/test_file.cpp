@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "microslip/base/error.hpp"
 #include "microslip/documents/levels/response_sweep.hpp"
@@ -32,16 +35,29 @@ bool is_table(TestContent content) {
          content == TestContent::kSteppedSine;
 }
 
-/// A variable that is of stepped sines. What else it is, or what hinders its reading, is for those
-/// who read it.
-std::optional<MatVariable> sweep_of(InputStream& file, const std::string& name) {
+/// Whether a variable is of stepped sines. What hinders its reading is for those who read it.
+bool is_sweep(const MatVariable& file, const std::string& name) {
   try {
-    MatVariable variable(file, name);
-    if (is_stepped_sine(variable, name)) return variable;
+    return is_stepped_sine(file, name);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// A variable of a file that is open. What hinders its reading is for those who read it.
+std::optional<MatVariable> variable_of(InputStream& file, const std::string& name) {
+  try {
+    return MatVariable(file, name);
   } catch (const Error&) {
     return std::nullopt;
   }
-  return std::nullopt;
+}
+
+/// Keeps a variable that is of stepped sines.
+void keep_sweep(MatVariable variable, const std::string& name, TestFile& test) {
+  test.part.variable = name;
+  test.sweep = std::move(variable);
+  test.content = TestContent::kSteppedSine;
 }
 
 /// The format of a file that can hold variables.
@@ -53,8 +69,23 @@ std::optional<RecordingFormat> format_of_variables(std::string_view head) {
 
 void find_variable(InputStream& file, TestFile& test) {
   test.format = format_of_variables(test.text);
-  test.sweep = sweep_of(file, test.part.variable);
-  if (test.sweep) test.content = TestContent::kSteppedSine;
+  const std::string name = test.part.variable;
+  std::optional<MatVariable> variable = variable_of(file, name);
+  if (variable && is_sweep(*variable, name)) keep_sweep(std::move(*variable), name, test);
+}
+
+/// The one variable of a MATLAB file that is of stepped sines. Not sought in a file too large for
+/// any sweep or of many variables, which is a recording.
+void seek_sweep(InputStream& file, TestFile& test) {
+  constexpr std::size_t kLargest = std::size_t{64} << 20;
+  constexpr std::size_t kMost = 20;
+  if (test.format != RecordingFormat::kMat || file.size().value_or(kLargest) >= kLargest) return;
+  std::optional<MatVariable> all = file.rewind() ? variable_of(file, "") : std::nullopt;
+  if (!all) return;
+  const std::vector<std::string> names = all->fields("");
+  const auto is_one = [&all](const std::string& name) { return is_sweep(*all, name); };
+  if (names.size() > kMost || std::ranges::count_if(names, is_one) != 1) return;
+  keep_sweep(std::move(*all), *std::ranges::find_if(names, is_one), test);
 }
 
 }  // namespace
@@ -83,6 +114,7 @@ TestFile open_test(const std::string& path, Hashed hashed) {
   } else if (test.content == TestContent::kRecording) {
     test.format = find_recording_format_of(test.text);
     if (test.format && hashed == Hashed::kYes) test.sha256 = sha256_of_rest(file);
+    seek_sweep(file, test);
   }
   return test;
 }

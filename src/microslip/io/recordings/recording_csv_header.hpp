@@ -63,12 +63,12 @@ class RecordingCsvHeader {
 
   /// When both lines have been read, if the second is there. Columns of one name are distinguished
   /// by their units, else by their numbers.
+  /// A frequency that rises is the axis before a column in a unit of time that is not called a
+  /// time, with a warning; a column called time whose cells are text is no axis.
   /// @param warnings  on units that are not known, and on names that were changed.
   /// @throws FormatError  where the unit of the axis is unknown or missing, there is no axis or
   ///                      nothing beside it, or a word between blanks may be a name or the
   ///                      beginning of the next one.
-  /// A frequency that rises is the axis before a column in a unit of time that is not called a
-  /// time, with a warning; a column called time whose cells are text is no axis.
   /// @param options  where a rate is stated a single column may be a channel, too.
   /// @param table    the first rows.
   void resolve(const RecordingReadOptions& options, const TableStart& table,

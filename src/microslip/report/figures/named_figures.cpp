@@ -136,8 +136,9 @@ constexpr std::array<NamedFigure, 28> kFigures = {{
      "joint.json or levels.csv with secant_stiffness [N/m]", has_stiffness, always, always,
      of_test<stiffness_figure>},
     {"damping", "loss factor of the joint, or damping ratio, by amplitude",
-     "joint.json, or levels.csv with secant_stiffness [N/m] or damping_ratio [1]", has_damping,
-     always, has_stiffness, of_test<damping_figure>},
+     "joint.json, or levels.csv with secant_stiffness [N/m] or damping_ratio [1], which reduce "
+     "writes of its recordings",
+     has_damping, always, has_stiffness, of_test<damping_figure>},
     {"force-control", "harmonics of the force before and after their control", "force_control.csv",
      [](const ResultInput& input) { return !input.test.force_control.empty(); }, never, never,
      force_control},
