@@ -262,25 +262,56 @@ SmoothingPoint unlimited_solution(const InversionModel& model) {
   return best;
 }
 
+/// Sliders whose sums are nearly all joints at these levels: one below them, and one at each, or at
+/// every so many, of which the convex d between is linear to kResolution and far less.
+Eigen::VectorXd sliders_of_any_joint(const Eigen::VectorXd& amplitude) {
+  constexpr Eigen::Index kMostSliders = 300;
+  const Eigen::Index n = amplitude.size();
+  const Eigen::Index each = (n + kMostSliders - 1) / kMostSliders;
+  const Eigen::Index count = (n - 1 + each - 1) / each;  // one at the largest level does not slip
+  Eigen::VectorXd sliders(count + 1);
+  sliders(0) = kBelowLevels * amplitude(0);
+  for (Eigen::Index j = 0; j < count; ++j) sliders(j + 1) = amplitude(j * each);
+  return sliders;
+}
+
 /// What is left of the weighted D beside the nearest of all joints, d = 4 Σ ψ_j x_j (a − x_j)₊ with
 /// ψ_j ≥ 0. At the levels all convex d with d(0) = 0 are those of sliders at them and of one below.
 Eigen::VectorXd left_of_any_joint(const ScaledLevels& levels, const Eigen::VectorXd& weights) {
+  constexpr Eigen::Index kRows = 4096;  // at once: of many levels all are no matrix to keep
   const Eigen::Index n = levels.amplitude.size();
-  Eigen::VectorXd sliders(n + 1);
-  sliders << kBelowLevels * levels.amplitude(0), levels.amplitude;
-  Eigen::MatrixXd design(n, n);  // one at the largest level does not slip
-  for (Eigen::Index j = 0; j < n; ++j) {
-    design.col(j) = weights.cwiseProduct((levels.amplitude.array() - sliders(j)).max(0.0).matrix());
-    design.col(j) /= design.col(j).norm();
-  }
+  const Eigen::VectorXd sliders = sliders_of_any_joint(levels.amplitude);
   const Eigen::VectorXd data = weights.cwiseProduct(levels.dissipation);
-  Eigen::MatrixXd hessian = design.transpose() * design;
+  const auto rows = [&](Eigen::Index first) {
+    const Eigen::Index count = std::min(kRows, n - first);
+    Eigen::MatrixXd block(count, sliders.size());
+    for (Eigen::Index j = 0; j < sliders.size(); ++j) {
+      const auto slip = (levels.amplitude.segment(first, count).array() - sliders(j)).max(0.0);
+      block.col(j) = weights.segment(first, count).array() * slip;
+    }
+    return block;
+  };
+  Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(sliders.size(), sliders.size());
+  Eigen::VectorXd linear = Eigen::VectorXd::Zero(sliders.size());
+  for (Eigen::Index first = 0; first < n; first += kRows) {
+    const Eigen::MatrixXd block = rows(first);
+    hessian.noalias() += block.transpose() * block;
+    linear.noalias() += block.transpose() * data.segment(first, block.rows());
+  }
+  const Eigen::VectorXd unit = hessian.diagonal().cwiseSqrt().cwiseInverse();
+  hessian = unit.asDiagonal() * hessian * unit.asDiagonal();
   hessian.diagonal().array() += kSliderRidge;
   const QuadraticProgram::Solution solution =
-      QuadraticProgram(Eigen::VectorXd::Zero(n), 1.0)
-          .solve(hessian, design.transpose() * data,
-                 std::vector<bool>(static_cast<std::size_t>(n), false));
-  return data - design * solution.x;
+      QuadraticProgram(Eigen::VectorXd::Zero(sliders.size()), 1.0)
+          .solve(hessian, unit.cwiseProduct(linear),
+                 std::vector<bool>(static_cast<std::size_t>(sliders.size()), false));
+  const Eigen::VectorXd weight = unit.cwiseProduct(solution.x);
+  Eigen::VectorXd left = data;
+  for (Eigen::Index first = 0; first < n; first += kRows) {
+    const Eigen::MatrixXd block = rows(first);
+    left.segment(first, block.rows()) -= block * weight;
+  }
+  return left;
 }
 
 // A test of the unlimited density itself would find every peak and edge guilty, as a smoother rings
