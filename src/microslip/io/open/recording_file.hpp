@@ -53,7 +53,9 @@ namespace microslip {
 
 /// As above, of a file, not standard input, that was found to have a format by
 /// find_recording_format_of(): it is opened once.
-/// @param file  with a variable of kMat or kMat73 alone.
+/// @param file     with a variable of kMat or kMat73 alone.
+/// @param format   that was found.
+/// @param options  see RecordingReadOptions.
 [[nodiscard]] Recordings read_recordings(const PartOfFile& file, RecordingFormat format,
                                          const RecordingReadOptions& options);
 

@@ -51,7 +51,8 @@ struct ExportedDraw {
                                                const LoneJointDraws& draws,
                                                const std::string& command);
 
-/// What was exported, in some lines. @param folder  of the files.
+/// What was exported, in some lines.
+/// @param exported  of export_draws(). @param request  as there. @param folder  of the files.
 [[nodiscard]] std::string exported_draws_summary(const std::vector<ExportedDraw>& exported,
                                                  const ExportRequest& request,
                                                  const std::string& folder);
