@@ -26,8 +26,8 @@ string(JOIN "|" random "# *include *<random>" "std::(random_device|mt19937|rand|
 string(JOIN "|" threads "# *include *<(oneapi/|tbb/|thread>|future>|execution>|omp.h>|pthread)" "(^|[^A-Za-z0-9_])tbb::"
        "std::(jthread|thread|async|execution)" "# *pragma +omp +parallel")
 
-# Exceptions that may end a process: the copy of this process that it started itself.
-set(may_end src/microslip/io/hdf5/reading_worker.cpp)
+# Exceptions that may end a process: a copy of this process that it started itself.
+set(may_end src/microslip/io/hdf5/reading_worker.cpp src/microslip/io/bytes/child_process.cpp)
 
 set(offences 0)
 function(offend file number text)

@@ -14,7 +14,8 @@
 
 namespace microslip {
 
-/// A running child. Whatever happens, it is gone and reaped when this is.
+/// A running child. It is gone and reaped when this is. On Linux it also ends, by SIGTERM, with the
+/// thread that started it, so that a signal that ends this program ends it, too.
 class Child {
  public:
   /// Starts command[0], looked up in PATH where it holds no slash, with the arguments that follow;
