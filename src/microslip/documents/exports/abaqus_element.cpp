@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -11,9 +10,6 @@
 
 namespace microslip {
 namespace {
-
-/// Forces are added in so many lanes, as NetworkMemory does, for the same last digits.
-constexpr std::size_t kLanesOfFortran = 8;
 
 /// A double of Fortran, all digits.
 std::string fortran_number(double value) {
@@ -89,15 +85,18 @@ constexpr const char* kElement = R"(
 ! at that of the one before it, which implicit dynamics need (PARAMS(1) is
 ! alpha of the time integration).
       SUBROUTINE {0}_ELEMENT(
-     1 RHS, AMATRX, SVARS, ENERGY, NDOFEL, U, LFLAGS, MLVARX, PARAMS)
+     1 RHS, AMATRX, SVARS, ENERGY, NDOFEL, NRHS, U, DU, LFLAGS, MLVARX,
+     2 PARAMS)
       IMPLICIT NONE
-      INTEGER NDOFEL, MLVARX, LFLAGS(*), I, J, SIGNS(2)
+      INTEGER NDOFEL, NRHS, MLVARX, LFLAGS(*), I, J, SIGNS(2)
       DOUBLE PRECISION RHS(MLVARX,*), AMATRX(NDOFEL,NDOFEL), SVARS(*)
-      DOUBLE PRECISION ENERGY(8), U(NDOFEL), PARAMS(*)
+      DOUBLE PRECISION ENERGY(8), U(NDOFEL), DU(MLVARX,*), PARAMS(*)
       DOUBLE PRECISION TO({1}), FORCE, SLOPE, WORK(2), ALPHA
       DATA SIGNS /-1, 1/
       DO I = 1, NDOFEL
-        RHS(I,1) = 0D0
+        DO J = 1, NRHS
+          RHS(I,J) = 0D0
+        END DO
         DO J = 1, NDOFEL
           AMATRX(I,J) = 0D0
         END DO
@@ -114,8 +113,16 @@ constexpr const char* kElement = R"(
           END DO
         END DO
       END IF
-! A linear perturbation: the stiffness alone, and all stays as it is.
-      IF (LFLAGS(4) .NE. 0) RETURN
+! A linear perturbation: the stiffness, and the force of the
+! perturbation where output asks for it; all stays as it is.
+      IF (LFLAGS(4) .NE. 0) THEN
+        IF (LFLAGS(3) .EQ. 100) THEN
+          DO I = 1, 2
+            RHS(I,1) = -SIGNS(I)*SLOPE*(DU(2,1) - DU(1,1))
+          END DO
+        END IF
+        RETURN
+      END IF
       IF (LFLAGS(3) .EQ. 5) THEN
         DO I = 1, 2
           RHS(I,1) = -SIGNS(I)*((1D0 + ALPHA)*FORCE -
@@ -149,21 +156,20 @@ constexpr const char* kElement = R"(
      3 JDLTYP(MDLOAD,*), ADLMAG(MDLOAD,*), DDLMAG(MDLOAD,*),
      4 PREDEF(2,NPREDF,NNODE), LFLAGS(*), JPROPS(*)
       CALL {0}_ELEMENT(
-     1 RHS, AMATRX, SVARS, ENERGY, NDOFEL, U, LFLAGS, MLVARX, PARAMS)
+     1 RHS, AMATRX, SVARS, ENERGY, NDOFEL, NRHS, U, DU, LFLAGS, MLVARX,
+     2 PARAMS)
       END
 )";
 
 }  // namespace
 
 std::string abaqus_element(const ExportedJoint& joint) {
-  const std::size_t padded =
-      std::max<std::size_t>(1, (joint.sliders.size() + kLanesOfFortran - 1) / kLanesOfFortran) *
-      kLanesOfFortran;
+  const std::size_t padded = padded_sliders(joint);
   constexpr std::size_t kForces = 2;
   return comment_lines(joint, "! ", "abaqus-uel") +
          fmt::format(fmt::runtime(kUseOfElement), joint.name, joint.first_number,
                      padded + kForces) +
-         fmt::format(fmt::runtime(kElement), joint.name, padded, kLanesOfFortran,
+         fmt::format(fmt::runtime(kElement), joint.name, padded, kExportedLanes,
                      data_of(joint, "STIFF", &ExportedSlider::stiffness, padded),
                      data_of(joint, "SLIP", &ExportedSlider::slip_displacement, padded),
                      joint.units.force, joint.units.length, fortran_number(joint.spring));

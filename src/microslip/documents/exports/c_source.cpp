@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 
 #include "microslip/documents/exports/comment_lines.hpp"
@@ -9,9 +8,6 @@
 
 namespace microslip {
 namespace {
-
-/// Elements are added in so many lanes, as NetworkMemory does, for the same last digits.
-constexpr std::size_t kLanesOfC = 8;
 
 /// A table of C of one number of each slider, filled to whole groups of lanes by zeros.
 std::string table_of(const ExportedJoint& joint, double ExportedSlider::*number,
@@ -68,12 +64,11 @@ double {0}_force(const {0}_state *from, double displacement, {0}_state *to, doub
 }  // namespace
 
 std::string c_code(const ExportedJoint& joint) {
-  const std::size_t padded =
-      std::max<std::size_t>(1, (joint.sliders.size() + kLanesOfC - 1) / kLanesOfC) * kLanesOfC;
+  const std::size_t padded = padded_sliders(joint);
   return fmt::format(fmt::runtime(kCode), joint.name, padded, joint.units.length,
                      table_of(joint, &ExportedSlider::stiffness, padded),
                      table_of(joint, &ExportedSlider::slip_displacement, padded), joint.spring,
-                     joint.units.force, kLanesOfC);
+                     joint.units.force, kExportedLanes);
 }
 
 std::string c_source(const ExportedJoint& joint) {

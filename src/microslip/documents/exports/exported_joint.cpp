@@ -40,6 +40,11 @@ ExportedJoint exported_joint(const JenkinsNetwork& network, std::string name,
   return joint;
 }
 
+std::size_t padded_sliders(const ExportedJoint& joint) {
+  const std::size_t groups = (joint.sliders.size() + kExportedLanes - 1) / kExportedLanes;
+  return std::max<std::size_t>(1, groups) * kExportedLanes;
+}
+
 std::string name_in_exports(std::string_view text) {
   std::string name;
   for (const char c : text) name += is_of_name(c) ? c : '_';

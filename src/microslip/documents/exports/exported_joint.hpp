@@ -31,6 +31,12 @@ struct ExportedJoint {
   std::string remarks = {};      ///< lines that become comments
 };
 
+/// Forces of sliders are added in so many lanes, as NetworkMemory does, for the same last digits.
+inline constexpr std::size_t kExportedLanes = 8;
+
+/// The number of sliders filled up to whole groups of lanes; at least one group.
+[[nodiscard]] std::size_t padded_sliders(const ExportedJoint& joint);
+
 /// A network in the units of an export.
 /// @param network  of sliders. @param name  of the joint there. @param units  to write.
 /// @throws InputError  where the name is not as ExportedJoint has it or longer than 32 letters.
