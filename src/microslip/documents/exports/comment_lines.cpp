@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "microslip/io/bytes/text_pieces.hpp"
+#include "microslip/io/cells/csv_cells.hpp"
 
 namespace microslip {
 
@@ -11,7 +12,8 @@ std::string comment_lines(const ExportedJoint& joint, std::string_view begin,
                           std::string_view target, std::string_view end) {
   std::string text;
   for (std::string_view rest = joint.remarks; !rest.empty();) {
-    std::string remark(take_line(rest));
+    // A carriage return would end the comment, bytes of no character the reading of the file.
+    std::string remark = on_one_line(take_line(rest));
     // What ends a comment of C ends none here.
     for (std::size_t at = remark.find("*/"); at != std::string::npos; at = remark.find("*/")) {
       remark.replace(at, 2, "* /");
