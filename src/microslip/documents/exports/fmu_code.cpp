@@ -88,9 +88,23 @@ static fmi2Status none_of(fmi2Component component, size_t count) {
   return refuse(component, fmi2Error, "the joint has two real variables, 1 and 2, and no others");
 }
 
+/* Whether the force is a number at a displacement from the last kept state. */
+static int has_force(const joint_instance *it, double displacement) {
+  JOINT(state) trial;
+  return isfinite(displacement) &&
+         isfinite(JOINT(force)(&it->now.kept, displacement, &trial, NULL));
+}
+
 static double try_force(const joint_instance *it, double *tangent) {
   JOINT(state) trial;
   return JOINT(force)(&it->now.kept, it->now.displacement, &trial, tangent);
+}
+
+static fmi2Status set_time(joint_instance *it, double time) {
+  if (!it) return fmi2Error;
+  if (!isfinite(time)) return refuse(it, fmi2Error, "the time must be finite");
+  it->now.time = time;
+  return fmi2OK;
 }
 
 /* The sliders move to the displacement that was tried. */
@@ -141,9 +155,7 @@ EXPORT void FMI(fmi2FreeInstance)(fmi2Component component) {
 EXPORT fmi2Status FMI(fmi2SetupExperiment)(fmi2Component component, fmi2Boolean with_tolerance,
                                            fmi2Real tolerance, fmi2Real start,
                                            fmi2Boolean with_stop, fmi2Real stop) {
-  if (!component) return fmi2Error;
-  ((joint_instance *)component)->now.time = start;
-  return fmi2OK;
+  return set_time(component, start);
 }
 
 EXPORT fmi2Status FMI(fmi2EnterInitializationMode)(fmi2Component component) {
@@ -185,9 +197,11 @@ EXPORT fmi2Status FMI(fmi2SetReal)(fmi2Component component, const fmi2ValueRefer
   if (!it) return fmi2Error;
   for (i = 0; i < n; ++i) {
     if (vr[i] != DISPLACEMENT) return refuse(it, fmi2Error, "the displacement alone can be set");
-    if (!isfinite(value[i])) return refuse(it, fmi2Discard, "the displacement must be finite");
-    it->now.displacement = value[i];
+    if (!has_force(it, value[i])) {
+      return refuse(it, fmi2Discard, "the displacement and its force must be finite");
+    }
   }
+  if (n > 0) it->now.displacement = value[n - 1];
   return fmi2OK;
 }
 
@@ -219,6 +233,7 @@ EXPORT fmi2Status FMI(fmi2GetDirectionalDerivative)(
     }
     sum += slope * change[i];
   }
+  if (!isfinite(sum)) return refuse(component, fmi2Discard, "the derivative must be finite");
   for (i = 0; i < unknowns; ++i) {
     if (unknown[i] != FORCE) {
       return refuse(component, fmi2Error, "only derivatives of the force are known");
@@ -252,6 +267,16 @@ EXPORT fmi2Status FMI(fmi2FreeFMUstate)(fmi2Component component, fmi2FMUstate *s
   return fmi2OK;
 }
 
+/* Whether all is finite, the force too. */
+static int is_state(const joint_instance *it) {
+  size_t i;
+  for (i = 0; i < JOINT(SIZE); ++i) {
+    if (!isfinite(it->now.kept.position[i])) return 0;
+  }
+  return isfinite(it->now.velocity) && isfinite(it->now.time) &&
+         has_force(it, it->now.displacement);
+}
+
 /* A state as bytes: the GUID, then the values. */
 EXPORT fmi2Status FMI(fmi2SerializedFMUstateSize)(fmi2Component component, fmi2FMUstate state,
                                                   size_t *size) {
@@ -270,14 +295,17 @@ EXPORT fmi2Status FMI(fmi2SerializeFMUstate)(fmi2Component component, fmi2FMUsta
 
 EXPORT fmi2Status FMI(fmi2DeSerializeFMUstate)(fmi2Component component, const fmi2Byte bytes[],
                                                size_t size, fmi2FMUstate *state) {
+  joint_instance read;
   if (!component || !state) return fmi2Error;
   if (size < sizeof FMU_GUID + sizeof(joint_values) ||
       memcmp(bytes, FMU_GUID, sizeof FMU_GUID) != 0) {
     return refuse(component, fmi2Error, "the state is not of this joint");
   }
+  memcpy(&read.now, bytes + sizeof FMU_GUID, sizeof(joint_values));
+  if (!is_state(&read)) return refuse(component, fmi2Error, "the state must be finite");
   if (!*state) *state = malloc(sizeof(joint_values));
   if (!*state) return refuse(component, fmi2Error, "out of memory");
-  memcpy(*state, bytes + sizeof FMU_GUID, sizeof(joint_values));
+  memcpy(*state, &read.now, sizeof(joint_values));
   return fmi2OK;
 }
 )";
@@ -310,9 +338,7 @@ EXPORT fmi2Status FMI(fmi2CompletedIntegratorStep)(fmi2Component component, fmi2
 }
 
 EXPORT fmi2Status FMI(fmi2SetTime)(fmi2Component component, fmi2Real time) {
-  if (!component) return fmi2Error;
-  ((joint_instance *)component)->now.time = time;
-  return fmi2OK;
+  return set_time(component, time);
 }
 
 EXPORT fmi2Status FMI(fmi2SetContinuousStates)(fmi2Component component, const fmi2Real x[],
@@ -344,8 +370,8 @@ EXPORT fmi2Status FMI(fmi2SetRealInputDerivatives)(fmi2Component component,
     if (vr[i] != DISPLACEMENT || order[i] != 1 || !isfinite(value[i])) {
       return refuse(it, fmi2Error, "only a finite velocity of the displacement can be set");
     }
-    it->now.velocity = value[i];
   }
+  if (n > 0) it->now.velocity = value[n - 1];
   return fmi2OK;
 }
 
@@ -355,17 +381,25 @@ EXPORT fmi2Status FMI(fmi2GetRealOutputDerivatives)(fmi2Component component,
   return none_of(component, n);
 }
 
-/* From the displacement that was set, by the velocity that was set for this step, if any. */
+/* From the displacement that was set, by the velocity that was set for this step, if any. Nothing
+   moves in a step that is refused. */
 EXPORT fmi2Status FMI(fmi2DoStep)(fmi2Component component, fmi2Real time, fmi2Real step,
                                   fmi2Boolean no_return) {
   joint_instance *it = component;
+  joint_values before;
   if (!it) return fmi2Error;
-  if (!isfinite(time) || !isfinite(step) || step < 0.0) {
+  if (!isfinite(time) || !isfinite(time + step) || !(step >= 0.0)) {
     return refuse(it, fmi2Error, "the time must be finite and the step 0 or more");
   }
+  before = it->now;
   keep(it);
   if (it->now.velocity != 0.0) {
-    it->now.displacement += it->now.velocity * step;
+    const double displacement = it->now.displacement + it->now.velocity * step;
+    if (!has_force(it, displacement)) {
+      it->now = before;
+      return refuse(it, fmi2Discard, "the displacement and its force must be finite");
+    }
+    it->now.displacement = displacement;
     it->now.velocity = 0.0;
     keep(it);
   }
