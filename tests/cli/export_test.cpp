@@ -330,26 +330,42 @@ TEST(export_command, WritesFunctionsForCodeAster) {
   EXPECT_NE(mesh.find("\nGROUP_MA\nbolt\nM11 M12 M13 M14 M15 M16\n"), std::string::npos) << mesh;
 }
 
-/// Calls UEL for each line "displacement keep procedure", the increments of a solver.
+/// Calls UEL for each line "displacement keep procedure", the increments of a solver, with two
+/// right sides as the method of Riks has; then for the forces of a linear perturbation.
 const std::string kElementDriver = R"(program main
   implicit none
   integer, parameter :: n = 42
-  double precision rhs(2,1), k(2,2), state(n), trial(n), energy(8), u(2), two(2), alpha(3), d, x
+  double precision rhs(2,2), k(2,2), state(n), trial(n), energy(8), u(2), du(2,2), two(2)
+  double precision alpha(3), d, x, slope
   integer keep, procedure, end, flags(5), i
-  state = 0; two = 0; d = 0; energy = 0; alpha = (/ -0.05d0, 0d0, 0d0 /)
+  state = 0; two = 0; du = 0; d = 0; energy = 0; alpha = (/ -0.05d0, 0d0, 0d0 /)
   do
     read (*, *, iostat=end) x, keep, procedure
     if (end /= 0) exit
     trial = state
     u = (/ 0d0, x /)
     flags = (/ procedure, 0, 1, 0, 0 /)
-    i = 1
-    call UEL(rhs, k, trial, energy, 2, 1, n, two, 0, two, 1, 2, u, two, two, two, 1, two, d, 1, 1, &
-             1, alpha, 0, i, two, two, 0, flags, 2, two, 0, d, flags, 0, d)
+    call joint()
     write (*, '(2(Z16.16, 1X))') transfer(-rhs(2,1), 0_8), transfer(k(2,2), 0_8)
     if (rhs(1,1) /= -rhs(2,1) .or. k(1,2) /= -k(2,2)) stop 1
+    if (any(rhs(:,2) /= 0)) stop 2
     if (keep == 1) state = trial
   end do
+  trial = state
+  flags = (/ 1, 0, 2, 1, 0 /)
+  call joint()
+  slope = k(2,2)
+  du(2,1) = 1d-7
+  flags(3) = 100
+  call joint()
+  if (any(rhs(:,1) /= (/ 1d0, -1d0 /)*(slope*1d-7)) .or. any(trial /= state)) stop 3
+contains
+  subroutine joint()
+    rhs = 9
+    i = 1
+    call UEL(rhs, k, trial, energy, 2, 2, n, two, 0, two, 1, 2, u, du, two, two, 1, two, d, 1, 1, &
+             1, alpha, 0, i, two, two, 0, flags, 2, two, 0, d, flags, 0, d)
+  end subroutine
 end program
 )";
 
@@ -536,6 +552,48 @@ TEST(export_command, NamesTheJointByItsFile) {
   EXPECT_NE(box.get("o.py").find("def class_joint(ops):"), std::string::npos);
 }
 
+// A path may hold anything but must not become code.
+TEST(export_command, KeepsPathsInComments) {
+  const std::string name = "a\rimport nothing\xFF.json";
+  const Sandbox box{{name, kSliders}};
+  for (const std::string target : {"code-aster", "openseespy"}) {
+    expect_done(box, {"export", name, "--to", target, "--name", "bolt", "--out", target});
+    EXPECT_NE(box.get(target).find("a import nothing\\xFF.json"), std::string::npos) << target;
+    EXPECT_TRUE(run_in(box, fmt::format("python3 -c 'exec(open(\"{}\").read())'", target)))
+        << box.get("log");
+  }
+}
+
+// Draws of another call would stand beside these, and nothing would tell them apart.
+TEST(export_command, RefusesAFolderWithOtherDraws) {
+  const Sandbox box{{"joint.json", kSliders}};
+  const auto call = [](const std::string& target, const std::string& draws) {
+    return Arguments{"export", "joint.json",        "--to", target,  "--draws",
+                     draws,    "--normal-load-std", "10%",  "--out", "draws"};
+  };
+  expect_done(box, call("opensees", "3"));
+  box.put("draws/mine_4.tcl", "puts mine\n");
+  expect_done(box, call("opensees", "3"));
+  expect_refused(box, call("opensees", "2"), {"draws", "draws of another call", "joint_3.tcl"});
+  expect_refused(box, call("c", "3"), {"joint_1.tcl", "another folder"});
+}
+
+// A macro of APDL is called by the name of its file, which has 32 letters at most, as parameters.
+TEST(export_command, KeepsNamesShortForAnsys) {
+  const std::string thirty(30, 'a');
+  const Sandbox box{{"joint.json", kSliders}};
+  const Arguments call{"export", "joint.json", "--to", "ansys", "--normal-load-std",
+                       "10%",    "--name",     thirty, "--out", "o",
+                       "--draws"};
+  expect_done(box, with(call, {"2"}));
+  EXPECT_NE(box.get("o/" + thirty + "_1.mac").find("! Use it by the name of this file"),
+            std::string::npos);
+  expect_refused(box, with(call, {"10"}), {"--name", "at most 29 letters", "calls a file by its"});
+  expect_refused(box,
+                 {"export", "joint.json", "--to", "ansys", "--name", thirty + "a", "--out", "p"},
+                 {"--name", "at most 30 letters"});
+}
+
 // An export is replaced by one to the same target, and nothing else is.
 TEST(export_command, ReplacesItsOwnFilesAlone) {
   const Sandbox box{{"joint.json", kSliders},
@@ -566,6 +624,9 @@ TEST(export_command, RefusesWhatNoTargetHolds) {
   refused({"joint.json", "--to", "openseespy", "--name", "lambda"},
           {"--name = lambda", "word of the language", "Take lambda_joint"});
   refused({"joint.json", "--to", "modelica", "--name", "model"}, {"Take model_joint"});
+  refused({"joint.json", "--to", "modelica", "--name", "Modelica"}, {"Take Modelica_joint"});
+  refused({"joint.json", "--to", "modelica", "--name", "flange_a"}, {"Take flange_a_joint"});
+  refused({"joint.json", "--to", "c", "--draws", ""}, {"--draws = ''", "Leave it out"});
   refused({"joint.json", "--to", "code-aster", "--name", "a_bolt_of_the_second_flange"},
           {"at most 19 letters"});
   refused({"joint.json", "--to", "abaqus-uel", "--first-number", "10000"},

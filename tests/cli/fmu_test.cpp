@@ -4,10 +4,13 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <regex>
 #include <stdexcept>
@@ -154,6 +157,22 @@ TEST_F(fmu_export, IsTheSameFileAnywhere) {
   EXPECT_EQ(other.get("bolt.fmu").find(guid_), std::string::npos);
 }
 
+// Base names alone, and nothing of the compiler: neither its name nor the hash of a build.
+TEST_F(fmu_export, TellsNoPlace) {
+  Arguments call = kCall;
+  call[1] = box_.file("joint.json");
+  call.back() = box_.file("other.fmu");
+  expect_done(box_, call);
+  EXPECT_EQ(box_.get("other.fmu"), box_.get("bolt.fmu"));
+  const std::string source = box_.get("fmu/sources/bolt.c");
+  EXPECT_NE(source.find("/* sha256[joint.json] = "), std::string::npos);
+  EXPECT_EQ(source.find("--out"), std::string::npos);
+  const std::string object = box_.get("fmu/binaries/linux64/bolt.so");
+  for (const std::string trace : {"GCC", "clang", "build-id", "/tmp"}) {
+    EXPECT_EQ(object.find(trace), std::string::npos) << trace;
+  }
+}
+
 // Trials that a solver gives up leave no trace; the sums run in the order of the library.
 TEST_F(fmu_export, IsExchangedAsAModel) {
   const JenkinsNetwork network = sliders();
@@ -273,6 +292,48 @@ TEST_F(fmu_export, RefusesWhatNoSimulatorShouldDo) {
   EXPECT_EQ(unit.get(), 0.0);
 }
 
+// What overflows is refused, and all is as it was before.
+TEST_F(fmu_export, RefusesWhatOverflows) {
+  const Unit unit(library(), Kind::kCoSimulation, guid_);
+  unit.start();
+  ASSERT_EQ(unit.set(1e-5), kOk);
+  const double force = unit.get();
+  EXPECT_EQ(unit.set(1e308), kDiscard);  // by the spring beside the sliders
+  const std::vector<unsigned> both{1, 2};
+  const std::vector<double> values{2e-5, 1.0};
+  EXPECT_EQ(unit.call("fmi2SetReal", both.data(), both.size(), values.data()), kFmuError);
+  const int order = 1;
+  const double fast = 1e308;
+  ASSERT_EQ(unit.call("fmi2SetRealInputDerivatives", both.data(), std::size_t{1}, &order, &fast),
+            kOk);
+  EXPECT_EQ(unit.call("fmi2DoStep", 0.0, 100.0, 1), kDiscard);
+  EXPECT_EQ(unit.get(1), 1e-5);
+  EXPECT_EQ(unit.get(), force);
+  double time = 1.0;
+  ASSERT_EQ(unit.call("fmi2GetRealStatus", 2, &time), kOk);
+  EXPECT_EQ(time, 0.0);
+}
+
+TEST_F(fmu_export, RefusesAStateThatIsNotFinite) {
+  const Unit unit(library(), Kind::kModelExchange, guid_);
+  unit.start();
+  void* state = nullptr;
+  ASSERT_EQ(unit.call("fmi2GetFMUstate", &state), kOk);
+  std::size_t size = 0;
+  ASSERT_EQ(unit.call("fmi2SerializedFMUstateSize", state, &size), kOk);
+  std::vector<char> bytes(size);
+  ASSERT_EQ(unit.call("fmi2SerializeFMUstate", state, bytes.data(), size), kOk);
+  // The values are the last doubles: the time, the velocity, the displacement, then positions.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::size_t place : {1U, 2U, 3U, 4U}) {
+    std::vector<char> damaged = bytes;
+    std::memcpy(damaged.data() + size - place * sizeof nan, &nan, sizeof nan);
+    EXPECT_EQ(unit.call("fmi2DeSerializeFMUstate", damaged.data(), size, &state), kFmuError);
+  }
+  EXPECT_EQ(unit.call("fmi2DeSerializeFMUstate", bytes.data(), size, &state), kOk);
+  ASSERT_EQ(unit.call("fmi2FreeFMUstate", &state), kOk);
+}
+
 // As the standard has it of sources that are linked: the names begin with that of the model.
 TEST_F(fmu_export, HasSourcesForOtherMachines) {
   box_.put("main.c",
@@ -294,6 +355,42 @@ TEST_F(fmu_export, NeedsACompiler) {
   const Outcome run = box_.run(kCall, {.environment = {"PATH=/nowhere"}});
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.err.find("no C compiler"), std::string::npos) << run.err;
+}
+
+/// A program `cc` in the folder `fake`, before all others.
+std::string fake_compiler(const Sandbox& box, const std::string& script) {
+  EXPECT_TRUE(run_in(box, "mkdir -p fake scratch"));
+  box.put("fake/cc", "#!/bin/sh\n" + script);
+  EXPECT_TRUE(run_in(box, "chmod +x fake/cc"));
+  return fmt::format("PATH={}:{}", box.file("fake"), std::getenv("PATH"));
+}
+
+TEST_F(fmu_export, NeedsAFileOfTheCompiler) {
+  const Outcome run = box_.run(kCall, {.environment = {fake_compiler(box_, "exit 0\n")}});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.err.find("wrote no file"), std::string::npos) << run.err;
+}
+
+// The compiler ends with the program, and no temporary file stays.
+TEST_F(fmu_export, EndsTheCompilerWithIt) {
+  const std::string path = fake_compiler(
+      box_, "trap 'touch ended; exit 1' TERM\ntouch started\nwhile :; do sleep 0.05; done\n");
+  Running running(kCall, box_.path(), {.environment = {path, "TMPDIR=" + box_.file("scratch")}});
+  while (!box_.has("started") && !running.has_ended()) ::usleep(1000);
+  running.send(SIGTERM);
+  EXPECT_EQ(running.wait().signal, SIGTERM);
+  for (int i = 0; i < 10000 && !box_.has("ended"); ++i) ::usleep(1000);
+  EXPECT_TRUE(box_.has("ended"));
+  EXPECT_TRUE(run_in(box_, "rmdir scratch")) << box_.get("log");
+}
+
+TEST_F(fmu_export, IsNoTextForATerminal) {
+  Arguments call = kCall;
+  call.back() = "-";
+  Running running(call, box_.path(), {.columns = 80});
+  const std::string shown = running.read_terminal([](const std::string&) { return false; });
+  EXPECT_EQ(running.wait().status, 2);
+  EXPECT_NE(shown.find("Name a file."), std::string::npos) << shown;
 }
 
 }  // namespace

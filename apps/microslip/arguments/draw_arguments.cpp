@@ -11,10 +11,19 @@
 #include "arguments/recording_arguments.hpp"
 #include "microslip/base/error.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/workflow/text/quantity_text.hpp"
 
 namespace microslip::app {
 namespace {
+
+/// None would be a prediction without draws.
+void refuse_empty(const std::string& text) {
+  if (text.empty()) {
+    throw InputError("--draws", in_quotes(text), "must be a whole number in digits",
+                     "Leave it out for a prediction without draws.");
+  }
+}
 
 void add_seed_argument(CLI::App& command, DrawArguments& arguments) {
   command
@@ -46,6 +55,7 @@ void add_draw_arguments(CLI::App& command, DrawArguments& arguments, const std::
       "--draws", arguments.count,
       "Propagate this many posterior draws of the uncertain parameters and write their band: " +
           columns);
+  draws->each(refuse_empty);
   add_seed_argument(command, arguments);
   command
       .add_option("--confidence", arguments.confidence,
@@ -72,7 +82,7 @@ void add_joint_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
 
 void add_single_draw_arguments(CLI::App& command, JointDrawArguments& arguments,
                                const std::string& words) {
-  command.add_option("--draws", arguments.count, words);
+  command.add_option("--draws", arguments.count, words)->each(refuse_empty);
   add_seed_argument(command, arguments);
   add_uncertainty_arguments(command, arguments);
 }

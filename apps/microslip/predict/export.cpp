@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
@@ -61,6 +62,16 @@ ExportRequest request_of(const ExportOptions& options) {
   return request;
 }
 
+/// What a file tells of the call: an archive neither paths nor the call, so that the same joint is
+/// the same file wherever it is made.
+std::string remarks_of(const ExportOptions& options, const Call& call, NamedInput input) {
+  if (!export_target(options.request.target).archive) {
+    return provenance_of(call.command_line, {input});
+  }
+  input.path = std::filesystem::path(input.path).filename().string();
+  return provenance_of("microslip export", {input});
+}
+
 /// A file for each draw, and the table of them, in a folder.
 int run_draws(const ExportOptions& options, const ExportRequest& request, const Call& call) {
   if (options.out == "-") {
@@ -79,12 +90,13 @@ int run_draws(const ExportOptions& options, const ExportRequest& request, const 
   std::vector<PlannedOutput> planned{{table, kExportedDrawsKind}};
   for (const std::string& name : names) planned.push_back({(folder / name).string(), kind});
   check_outputs(planned);
+  check_other_draws(options.out, names);
   const NamedInput input{options.joint, read_text(options.joint)};
   const JointFile file = parse_joint(input.text, input.path);
   LoneJointDraws draws = draws_without_band(file, uncertainty_of(options.draws), draw);
   draws.progress = progress_bar("draws", call.quiet);
   const std::vector<ExportedDraw> exported =
-      export_draws(file, draws, request, provenance_of(call.command_line, {input}));
+      export_draws(file, draws, request, remarks_of(options, call, input));
   OutputFiles files;
   files.add(table, exported_draws_table(exported, names, draws, call.command_line));
   for (std::size_t i = 0; i < exported.size(); ++i) {
@@ -100,13 +112,17 @@ int run_draws(const ExportOptions& options, const ExportRequest& request, const 
 int run(const ExportOptions& options, const Call& call) {
   const ExportRequest request = request_of(options);
   if (options.draws.any()) return run_draws(options, request, call);
+  if (options.out == "-" && export_target(request.target).archive && ::isatty(STDOUT_FILENO) != 0) {
+    throw InputError("--out", options.out, "would write an archive to the terminal",
+                     "Name a file.");
+  }
   const std::string kind = export_kind(request.target);  // PlannedOutput refers to it
   std::vector<PlannedOutput> planned{{options.out, kind}};
   if (!options.errors.empty()) planned.push_back({options.errors, kSliderErrorsKind});
   check_outputs(planned);
   const NamedInput input{options.joint, read_text(options.joint)};
   const JointFile file = parse_joint(input.text, input.path);
-  const JointExport result = export_joint(file, request, provenance_of(call.command_line, {input}));
+  const JointExport result = export_joint(file, request, remarks_of(options, call, input));
   OutputFiles files;
   files.add(options.out, result.text);
   if (!options.errors.empty()) {
@@ -128,6 +144,42 @@ std::string targets_text() {
   return text;
 }
 
+/// How exact the sliders are.
+void add_accuracy(CLI::App& command, ExportOptions& options) {
+  CLI::Option* elements = command.add_option(
+      "--elements", options.elements,
+      "Number of sliders, chosen so that the largest error of the force is as small as it can be; "
+      "if not given as many as --error needs");
+  elements->check(CLI::Range(1, 5000));
+  command
+      .add_option("--error", options.error,
+                  "Largest error of the force along a nested path, over its largest force; from "
+                  "1e-7 to 0.5, or in %")
+      ->capture_default_str()
+      ->excludes(elements);
+  command.add_option("--up-to", options.reach,
+                     "Largest displacement of the joint in the analysis, in m or with a unit: "
+                     "what slips beyond it becomes a spring, and the sliders are as exact as they "
+                     "can be below it");
+}
+
+/// Units, names and numbers in the target.
+void add_language(CLI::App& command, ExportOptions& options) {
+  command
+      .add_option("--units", options.request.units,
+                  "Units of the target: SI (N, m), mm-N-t (N, mm) or in-lbf (lbf, in)")
+      ->check(CLI::IsMember({"SI", "mm-N-t", "in-lbf"}, CLI::ignore_case))
+      ->capture_default_str();
+  command.add_option("--name", options.request.name,
+                     "Name of the joint in the target; that of the file if not given, with _joint "
+                     "behind it if that is a word of the language");
+  command
+      .add_option("--first-number", options.request.first_number,
+                  "First number of the nodes, elements, real constants or tags that are made")
+      ->check(CLI::Range(1, 90'000'000))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_export(CLI::App& program, Call& call) {
@@ -147,34 +199,8 @@ void add_export(CLI::App& program, Call& call) {
                    "spring in series with a slider")
       ->required()
       ->type_name(kInputValue);
-  CLI::Option* elements = command->add_option(
-      "--elements", options->elements,
-      "Number of sliders, chosen so that the largest error of the force is as small as it can be; "
-      "if not given as many as --error needs");
-  elements->check(CLI::Range(1, 5000));
-  command
-      ->add_option("--error", options->error,
-                   "Largest error of the force along a nested path, over its largest force; from "
-                   "1e-7 to 0.5, or in %")
-      ->capture_default_str()
-      ->excludes(elements);
-  command->add_option("--up-to", options->reach,
-                      "Largest displacement of the joint in the analysis, in m or with a unit: "
-                      "what slips beyond it becomes a spring, and the sliders are as exact as they "
-                      "can be below it");
-  command
-      ->add_option("--units", options->request.units,
-                   "Units of the target: SI (N, m), mm-N-t (N, mm) or in-lbf (lbf, in)")
-      ->check(CLI::IsMember({"SI", "mm-N-t", "in-lbf"}, CLI::ignore_case))
-      ->capture_default_str();
-  command->add_option("--name", options->request.name,
-                      "Name of the joint in the target; that of the file if not given, with _joint "
-                      "behind it if that is a word of the language");
-  command
-      ->add_option("--first-number", options->request.first_number,
-                   "First number of the nodes, elements, real constants or tags that are made")
-      ->check(CLI::Range(1, 90'000'000))
-      ->capture_default_str();
+  add_accuracy(*command, *options);
+  add_language(*command, *options);
   add_single_draw_arguments(
       *command, options->draws,
       "Write so many posterior draws of the joint, those of the predictions with draws, as a file "
@@ -187,13 +213,14 @@ void add_export(CLI::App& program, Call& call) {
       ->excludes(command->get_option("--draws"))
       ->type_name(kCsvValue);
   command->add_flag("--quiet", call.quiet, "No summary and no warnings on the screen");
-  add_examples(*command,
-               {"microslip export joint.json --to calculix --units mm-N-t --out joint.inp",
-                "microslip export joint.json --to opensees --elements 20 --first-number 100 \\",
-                "          --out joint.tcl",
-                "microslip export joint.json --to c --error 1e-5 --name bolt --out bolt.c",
-                "microslip export joint.json --to opensees --draws 100 \\",
-                "          --samples joint_samples.h5 --out draws"});
+  add_examples(*command, {"microslip export joint.json --to calculix \\",
+                          "          --units mm-N-t --out joint.inp",
+                          "microslip export joint.json --to opensees \\",
+                          "          --first-number 100 --out joint.tcl",
+                          "microslip export joint.json --to fmu --name bolt \\",
+                          "          --error 1e-4 --out bolt.fmu",
+                          "microslip export joint.json --to opensees --draws 100 \\",
+                          "          --samples joint_samples.h5 --out draws"});
   command->callback(
       [options, &call] { call.run = [options, &call] { return run(*options, call); }; });
 }

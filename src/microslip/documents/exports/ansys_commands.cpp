@@ -11,9 +11,10 @@ namespace microslip {
 std::string ansys_commands(const ExportedJoint& joint) {
   std::string text = comment_lines(joint, "! ", "ansys");
   text += fmt::format(
-      "! Use it by {0},NODE_A,NODE_B,DIRECTION with DIRECTION 1, 2 or 3 for UX, UY or UZ. Real\n"
-      "! constants of COMBIN40: K1, C, M, GAP, FSLIDE, K2; the force is positive where NODE_B\n"
-      "! moves ahead of NODE_A.\n"
+      "! Use it by the name of this file without .mac: FILE,NODE_A,NODE_B,DIRECTION with "
+      "DIRECTION\n"
+      "! 1, 2 or 3 for UX, UY or UZ. Real constants of COMBIN40: K1, C, M, GAP, FSLIDE, K2; the\n"
+      "! force is positive where NODE_B moves ahead of NODE_A.\n"
       "*GET,{0}_T,ETYP,0,NUM,MAX\nET,{0}_T+1,COMBIN40,,,ARG3\nTYPE,{0}_T+1\n",
       joint.name);
   std::size_t set = joint.first_number;

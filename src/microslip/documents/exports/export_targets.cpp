@@ -19,8 +19,9 @@ constexpr std::array<std::string_view, 35> kPythonWords{
     "from",  "global",   "if",    "import", "in",   "is",     "lambda", "nonlocal", "not",
     "or",    "pass",     "raise", "return", "try",  "while",  "with",   "yield"};
 
-/// Of Modelica, and the names of its own types. [Modelica Language Specification 3.6, 2.3.3, 4.9]
-constexpr std::array<std::string_view, 68> kModelicaWords{"algorithm",
+/// Of Modelica, the names of its own types, and those that the model refers to. [Modelica Language
+/// Specification 3.6, 2.3.3, 4.9]
+constexpr std::array<std::string_view, 71> kModelicaWords{"algorithm",
                                                           "and",
                                                           "annotation",
                                                           "block",
@@ -87,12 +88,18 @@ constexpr std::array<std::string_view, 68> kModelicaWords{"algorithm",
                                                           "AssertionLevel",
                                                           "StateSelect",
                                                           "ExternalObject",
-                                                          "time"};
+                                                          "time",
+                                                          "Modelica",
+                                                          "flange_a",
+                                                          "flange_b"};
 
 /// Groups of Code_Aster have 24 letters, of which `_` and the number of a slider take five.
 constexpr std::size_t kLongestAsterName = 19;
 /// Its nodes and elements have 8, a letter and seven digits.
 constexpr std::size_t kLargestAsterNumber = 9'000'000;
+/// Parameters and macros of APDL have 32 letters; `_T` is behind the name of a parameter.
+constexpr std::size_t kLongestMacro = 32;
+constexpr std::size_t kLongestAnsysName = kLongestMacro - 2;
 /// A user element of Abaqus is of type Un, n below 10000.
 constexpr std::size_t kLargestElementType = 9999;
 
@@ -106,7 +113,12 @@ constexpr std::array kTargets{
                  .ending = ".for",
                  .text = abaqus_element,
                  .largest_number = kLargestElementType},
-    ExportTarget{"ansys", "APDL with a COMBIN40 for each slider", ".mac", false, ansys_commands},
+    ExportTarget{.name = "ansys",
+                 .words = "APDL with a COMBIN40 for each slider",
+                 .ending = ".mac",
+                 .text = ansys_commands,
+                 .longest_name = kLongestAnsysName,
+                 .longest_file = kLongestMacro},
     ExportTarget{"c", "source file of C, state in and out", ".c", false, c_source},
     ExportTarget{"calculix", "include file of CalculiX with a plastic cube for each slider", ".inp",
                  false, calculix_cubes},
@@ -116,7 +128,11 @@ constexpr std::array kTargets{
                  .text = code_aster_functions,
                  .longest_name = kLongestAsterName,
                  .largest_number = kLargestAsterNumber},
-    ExportTarget{"fmu", "FMI 2.0 for model exchange and co-simulation", ".fmu", false, fmu_archive},
+    ExportTarget{.name = "fmu",
+                 .words = "FMI 2.0 for model exchange and co-simulation",
+                 .ending = ".fmu",
+                 .text = fmu_archive,
+                 .archive = true},
     ExportTarget{"mastodon", "backbone of MASTODON, which makes the sliders of it", ".csv", false,
                  mastodon_backbone},
     ExportTarget{.name = "modelica",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,11 @@ struct ExportTarget {
   std::span<const std::string_view> reserved = {};
   std::size_t longest_name = kLongestExportedName;   ///< letters
   std::size_t largest_number = kLargestFirstNumber;  ///< of ExportedJoint::first_number
+  /// Letters of the name of a file without its ending, where the program calls it by that.
+  std::size_t longest_file = std::numeric_limits<std::size_t>::max();
+  /// Whether it is an archive that is handed on: it tells nothing of where it was made, and no
+  /// terminal shows it.
+  bool archive = false;
 };
 
 /// All of them, also those that are known and refused.

@@ -60,11 +60,9 @@ double path_error(const Joint& joint, const Joint& sliders, double amplitude) {
   return error / largest;
 }
 
-SliderErrors errors_of(const Joint& joint, const EqualErrorSliders& chosen, double highest) {
-  const Joint sliders = joint_of(chosen.network);
-  SliderErrors errors;
-  errors.first_loading = chosen.error / joint.virgin_force(highest);
-  errors.path = path_error(joint, sliders, highest);
+/// Those over the amplitude. @param errors  get them.
+void add_amplitudes(const Joint& joint, const Joint& sliders, double highest,
+                    SliderErrors& errors) {
   for (std::size_t i = 0; i < kAmplitudes; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(kAmplitudes - 1);
     const double a = highest * std::pow(kLowest, 1.0 - share);
@@ -73,6 +71,16 @@ SliderErrors errors_of(const Joint& joint, const EqualErrorSliders& chosen, doub
     errors.dissipation.push_back(exact > 0.0 ? dissipation(sliders, a) / exact - 1.0 : 0.0);
     errors.secant.push_back(secant_stiffness(sliders, a) / secant_stiffness(joint, a) - 1.0);
   }
+}
+
+SliderErrors errors_of(const Joint& joint, const EqualErrorSliders& chosen,
+                       const ExportRequest& request) {
+  const Joint sliders = joint_of(chosen.network);
+  const double highest = end_of_slip(joint, request.reach);
+  SliderErrors errors;
+  errors.first_loading = chosen.error / joint.virgin_force(highest);
+  errors.path = path_error(joint, sliders, highest);
+  if (request.amplitudes) add_amplitudes(joint, sliders, highest, errors);
   return errors;
 }
 
@@ -163,11 +171,10 @@ JointExport export_joint(const JointFile& file, const ExportRequest& request,
   const EqualErrorSliders chosen =
       request.sliders ? equal_error_sliders(file.joint, *request.sliders, request.reach)
                       : sliders_for(file.joint, request.error, request.reach);
-  JointExport result{
-      .text = {},
-      .sliders = chosen.network.size(),
-      .errors = errors_of(file.joint, chosen, end_of_slip(file.joint, request.reach)),
-      .warnings = {}};
+  JointExport result{.text = {},
+                     .sliders = chosen.network.size(),
+                     .errors = errors_of(file.joint, chosen, request),
+                     .warnings = {}};
   if (auto warning = linear_damping_warning(file)) result.warnings.push_back(*std::move(warning));
   ExportedJoint joint = exported_joint(chosen.network, request.name, units);
   joint.first_number = request.first_number;

@@ -39,6 +39,7 @@ struct ExportRequest {
   std::string units = "SI";      ///< name of ExportUnits
   std::string name = {};         ///< of the joint in the text; needed
   std::size_t first_number = 1;  ///< as of ExportedJoint; from 1 to 9e7
+  bool amplitudes = true;        ///< whether the errors over the amplitude are computed, too
 };
 
 /// A joint exported.
@@ -62,7 +63,7 @@ struct JointExport {
 [[nodiscard]] std::string slider_errors_table(const SliderErrors& errors,
                                               const std::string& command);
 
-/// What was exported, in some lines.
+/// What was exported, in some lines. @param result  with errors over the amplitude.
 [[nodiscard]] std::string export_summary(const JointExport& result, const ExportRequest& request,
                                          const std::string& path);
 

@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <span>
 #include <utility>
 
 #include "microslip/base/error.hpp"
 #include "microslip/base/percent.hpp"
 #include "microslip/base/units.hpp"
+#include "microslip/io/bytes/text.hpp"
 #include "microslip/io/cells/comment_entry.hpp"
 #include "microslip/io/cells/csv_writer.hpp"
+#include "microslip/io/kinds/file_kind.hpp"
 #include "microslip/io/output/provenance.hpp"
 
 namespace microslip {
@@ -31,11 +34,27 @@ JointFile file_of(const JointFile& file, DrawnJoint drawn) {
   return one;
 }
 
+/// Whether a file is named as one of draw_file_names() and was exported.
+bool is_draw(const std::filesystem::path& path) {
+  const std::string stem = path.stem().string();
+  const std::size_t end = stem.find_last_not_of("0123456789");
+  const bool numbered = end != std::string::npos && end + 1 < stem.size() && stem[end] == '_';
+  return numbered && kind_of_file(path.string()).starts_with(export_kind(""));
+}
+
 }  // namespace
 
 std::vector<std::string> draw_file_names(const ExportRequest& request, std::size_t count) {
   const std::size_t width = fmt::format("{}", count).size();
-  const std::string_view ending = export_target(request.target).ending;
+  const ExportTarget& target = export_target(request.target);
+  const std::string_view ending = target.ending;
+  if (request.name.size() + 1 + width > target.longest_file) {
+    throw InputError(
+        "`name`", request.name,
+        fmt::format("must have at most {} letters for so many draws: {} calls a file "
+                    "by its name, of {} letters",
+                    target.longest_file - 1 - width, target.name, target.longest_file));
+  }
   std::vector<std::string> names;
   for (std::size_t i = 1; i <= count; ++i) {
     names.push_back(fmt::format("{}_{:0{}}{}", request.name, i, width, ending));
@@ -43,8 +62,26 @@ std::vector<std::string> draw_file_names(const ExportRequest& request, std::size
   return names;
 }
 
+void check_other_draws(const std::string& folder, const std::vector<std::string>& names) {
+  std::vector<std::string> others;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (std::ranges::find(names, name) == names.end() && is_draw(entry.path())) {
+      others.push_back(name);
+    }
+  }
+  if (others.empty()) return;
+  std::ranges::sort(others);
+  throw FileError(folder,
+                  fmt::format("holds draws of another call, which these do not replace: {}",
+                              first_texts(others, 3)),
+                  "Remove them or choose another folder.");
+}
+
 std::vector<ExportedDraw> export_draws(const JointFile& file, const LoneJointDraws& draws,
                                        const ExportRequest& request, const std::string& remarks) {
+  ExportRequest each = request;
+  each.amplitudes = false;  // draws.csv has none
   const std::size_t count = draws.options.count;
   std::vector<ExportedDraw> exported;
   for (std::size_t i = 0; i < count; ++i) {
@@ -52,7 +89,7 @@ std::vector<ExportedDraw> export_draws(const JointFile& file, const LoneJointDra
     const JointFile one = file_of(file, std::move(drawn));
     exported.push_back(
         {.result = export_joint(
-             one, request,
+             one, each,
              remarks + fmt::format("\ndraw {} of {}, seed {}", i + 1, count, draws.options.seed)),
          .stiffness = one.joint.stiffness(),
          .macroslip_force = one.joint.macroslip_force(),

@@ -20,8 +20,14 @@ inline constexpr std::size_t kMostExportedDraws = 10'000;
 /// Names of the files of draws: those of numbers from 1, with zeros before them so that their
 /// alphabetical order is that of the draws: bolt_01.tcl.
 /// @param request  with target and name. @param count  how many.
+/// @throws InputError  where the target calls a file by its name and it is too long.
 [[nodiscard]] std::vector<std::string> draw_file_names(const ExportRequest& request,
                                                        std::size_t count);
+
+/// Refuses a folder with draws of another call, which nothing would tell from those to come.
+/// @param folder  that is there. @param names  of the files to come.
+/// @throws FileError  where it holds other files that export wrote and that are named by number.
+void check_other_draws(const std::string& folder, const std::vector<std::string>& names);
 
 /// A draw of a joint, exported.
 struct ExportedDraw {
