@@ -86,9 +86,9 @@ foreach(library IN LISTS loaded)
   list(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${owner}")
 endforeach()
 list(JOIN CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)
-# The pictures; without gnuplot all else works.
+# The pictures, and the shared objects of FMUs; without gnuplot or a compiler all else works.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
-    "gnuplot-nox | gnuplot-qt | gnuplot-x11, fonts-dejavu-core")
+    "gnuplot-nox | gnuplot-qt | gnuplot-x11, fonts-dejavu-core, gcc | c-compiler")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "microslip turns the energy that a bolted or frictional joint dissipates
 per vibration cycle, measured at rising amplitude, into the slip-force

@@ -33,6 +33,7 @@ for need in libc6 libfmt libmumps-seq libstdc++ libtbb zlib1g; do
   [[ "$(field "$program" Depends)" == *"$need"* ]] || complain "microslip does not depend on $need"
 done
 [[ "$(field "$program" Recommends)" == *gnuplot* ]] || complain "microslip does not recommend gnuplot"
+[[ "$(field "$program" Recommends)" == *"gcc | c-compiler"* ]] || complain "microslip does not recommend a C compiler"
 for need in libfmt-dev libhdf5-dev libtbb-dev zlib1g-dev; do
   [[ "$(field "$library" Depends)" == *"$need"* ]] || complain "libmicroslip-dev does not depend on $need"
 done
