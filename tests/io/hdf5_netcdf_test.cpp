@@ -778,6 +778,32 @@ TEST_F(Hdf5NetCdf, WarnsOfLongStepsWithoutAUnit) {
   }
 }
 
+// Whole milliseconds at 1.6 kHz, of which some are equal.
+TEST_F(Hdf5NetCdf, TakesTheRateBesideAClockThatRounds) {
+  constexpr std::size_t kCount = 400;
+  std::vector<double> times;
+  std::vector<double> force;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    times.push_back(std::round(static_cast<double>(i) / 1.6));
+    force.push_back(static_cast<double>(i % 7));
+  }
+  for (const bool in_file : {true, false}) {
+    {
+      OtherFile file(path_);
+      file.dataset<double>("time", H5T_NATIVE_DOUBLE, {kCount}, times);
+      file.text("time", "units", "ms");
+      file.dataset<double>("force", H5T_NATIVE_DOUBLE, {kCount}, force);
+      if (in_file) file.number("/", "fs", 1600.0);
+    }
+    RecordingReadOptions options;
+    if (!in_file) options.rate = 1600.0;
+    const Recordings all = read_recordings_hdf5(path_, options);
+    EXPECT_EQ(all.recordings.at(0).axis.step, 1.0 / 1600.0);
+    EXPECT_TRUE(all.warnings.empty());
+    EXPECT_EQ(all.rate_used, !in_file);
+  }
+}
+
 TEST_F(Hdf5NetCdf, AddsTheOffsetOfWholeTimes) {
   {
     OtherFile file(path_);
@@ -898,7 +924,16 @@ TEST_F(Hdf5NetCdf, NamesTheFilterThatIsMissing) {
   EXPECT_NE(message().find("h5repack -f GZIP=4"), std::string::npos) << message();
 }
 
-// A frequency response keeps the rate at which it was sampled; a chirp may have both as well.
+// The increment of a load, or of anything else.
+TEST_F(Hdf5NetCdf, TakesNoIncrementForAStep) {
+  {
+    OtherFile file(path_);
+    file.dataset<double>("force", H5T_NATIVE_DOUBLE, {3}, kValues);
+    file.number("/", "increment", 0.5);
+  }
+  EXPECT_NE(message().find("expected a sampling rate"), std::string::npos) << message();
+}
+
 // The frequencies of a drive over time may fall.
 TEST_F(Hdf5NetCdf, TakesTheRateBesideAFrequencyThatFalls) {
   {
@@ -912,6 +947,7 @@ TEST_F(Hdf5NetCdf, TakesTheRateBesideAFrequencyThatFalls) {
   EXPECT_EQ(all.recordings.at(0).channels.size(), 2U);
 }
 
+// A frequency response keeps the rate at which it was sampled; a chirp may have both as well.
 TEST_F(Hdf5NetCdf, SaysThatAFrequencyIsTheAxisBesideARate) {
   struct Row {
     double frequency;

@@ -472,6 +472,17 @@ TEST_F(MatOther, TakesFunctionsOfTestlab) {
   EXPECT_DOUBLE_EQ(recording.channel("Tip").values.back(), 9.80665);
 }
 
+// The increment of a load, or of anything else.
+TEST_F(MatOther, TakesNoIncrementForAStep) {
+  {
+    OtherMat file(path_);
+    file.add("increment", {0.5}, 1);
+    file.add("start_value", {2.0}, 1);
+    file.add("force", {1.0, 2.0, 3.0}, 3);
+  }
+  EXPECT_NE(message().find("expected a sampling rate"), std::string::npos) << message();
+}
+
 // A sweep up and down has frequencies that are no axis; the rate is.
 TEST_F(MatOther, TakesTheRateBesideAFrequencyThatFalls) {
   {
@@ -505,6 +516,10 @@ TEST_F(MatOther, TakesTimesOfAClockThatRoundsForEven) {
   // The line through times that are uniformly wrong by 1 ms/√12: of its slope √12/(√n n) of that.
   EXPECT_NEAR(read.recordings.at(0).axis.step, 0.625e-3, 1e-3 / (20.0 * kCount));
   EXPECT_EQ(read.warnings.at(0).code, "times_rounded");
+  const Recordings at_rate = read_recordings_mat(path_, {}, {.rate = 1600.0});
+  EXPECT_EQ(at_rate.recordings.at(0).axis.step, 1.0 / 1600.0);
+  EXPECT_TRUE(at_rate.rate_used);
+  EXPECT_TRUE(at_rate.warnings.empty());
 }
 
 // A capture of dSPACE: run.X is the time, run.Y(i) a channel, each with Name, Data and Unit.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/base/error.hpp"
 #include "microslip/io/recordings/sampling.hpp"
 
 namespace microslip::points_axis_test {
@@ -89,6 +90,26 @@ TEST(PointsAxis, DoublesMayCountFrom1970) {
   EXPECT_EQ(uneven.axis.values, (std::vector{0.0, 1e-3, 4e-3}));
   EXPECT_EQ(read(times(kBegin, 1), "ms").warnings.size(), 0U);
   EXPECT_EQ(read(times(1704067200, 1), "").warnings.size(), 0U) << "seconds";
+}
+
+// Whole milliseconds at 1.6 kHz, of which some are equal.
+TEST(PointsAxis, ARateThatIsStatedIsThatOfAClockThatRounds) {
+  const std::vector<double> times = points(4000, [](double i) { return std::round(i / 1.6); });
+  const Read stated = read(times, "ms", 1.0 / 1600.0);
+  EXPECT_EQ(stated.axis.step, 1.0 / 1600.0);
+  EXPECT_TRUE(stated.warnings.empty());
+  const Read other = read(times, "ms", 1.0 / 1700.0);
+  EXPECT_NEAR(other.axis.step, 1.0 / 1600.0, 1e-3 / 4000.0) << "a last digit of the span";
+  EXPECT_EQ(other.warnings.at(0).code, "times_rounded");
+  const auto asked = [&](double rate) {
+    std::vector<Warning> warnings;
+    const PointsInFile file{
+        .points = times, .unit = "ms", .usual = kTime, .place = "a", .rate = rate};
+    return axis_of_points(file, {}, warnings);
+  };
+  EXPECT_EQ(asked(1600.0).axis.step, 1.0 / 1600.0);
+  EXPECT_TRUE(asked(1600.0).rate_used);
+  EXPECT_THROW((void)asked(1700.0), InputError);
 }
 
 TEST(PointsAxis, WholeNumbersInLongStepsAreDoubted) {

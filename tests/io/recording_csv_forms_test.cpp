@@ -461,9 +461,25 @@ TEST(RecordingCsvForms, TakesAClockThatRoundsForEven) {
 TEST(RecordingCsvForms, TellsOfASecondTime) {
   const Recordings read = read_all("t1 [s],F [N],t2 [s],x [mm]\n0,1,0,1\n1,2,2,2\n2,3,4,3\n");
   EXPECT_EQ(codes_of(read), Names{"other_times"});
-  EXPECT_EQ(codes_of(read_all("time [s],F [N],elapsed [min],delay [s]\n0,1,1,0\n60,2,2,5\n")),
+  EXPECT_EQ(codes_of(read_all("time [s],F [N],delay [s],elapsed [min]\n0,1,0,1\n60,2,5,2\n")),
             Names{})
-      << "the same from another start; a span";
+      << "a span; the same from another start, over which nothing is";
+}
+
+// Channels that were started 50 ms apart: their loops are not those of the rows.
+TEST(RecordingCsvForms, TellsOfASecondTimeFromAnotherStart) {
+  const auto read = [](double start) {
+    std::string text = "t1 [s],F [N],t2 [s],x [mm]\n";
+    for (int i = 0; i < 40; ++i) {
+      text += fmt::format("{:.3f},{},{:.3f},{}\n", i * 1e-3, i % 7, start + i * 1e-3, i % 5);
+    }
+    return read_all(text);
+  };
+  EXPECT_EQ(codes_of(read(0.0)), Names{});
+  EXPECT_EQ(codes_of(read(0.05)), Names{"other_times"});
+  EXPECT_NE(read(0.05).warnings.at(0).text.find("from 0.05 s on in place of 0 s"),
+            std::string::npos)
+      << read(0.05).warnings.at(0).text;
 }
 
 TEST(RecordingCsvForms, TakesIndicesForNames) {

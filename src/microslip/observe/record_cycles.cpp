@@ -117,7 +117,7 @@ class UnitLoop {
     return (under_half_circle(place_[next(i)]) - under_half_circle(place_[i])) / width(i);
   }
 
-  /// For close places half of S′ = −x/S, at a turn that of a place so close to it: S′ has no end
+  /// For close places half of S′ = −x/S, at a turn that of a place so close to it: S′ is unbounded
   /// there, but the mean of S between two places that near does not change by more.
   [[nodiscard]] double change(std::size_t i, double by) const {
     if (std::abs(width(i)) > kClose) return by / width(i);

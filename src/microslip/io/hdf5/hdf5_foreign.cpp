@@ -446,14 +446,20 @@ class ForeignReader {
                             const std::string& place, const Sampling& sampling) {
     const std::size_t count = points.size();
     try {
-      PointsOrFault read{
-          axis_of_points({std::move(points), unit, usual, place}, sampling.step, result_.warnings)};
+      PointsOrFault read{axis_of_points({.points = std::move(points),
+                                         .unit = unit,
+                                         .usual = usual,
+                                         .place = place,
+                                         .rate = options_.rate},
+                                        sampling.step, result_.warnings)};
+      result_.rate_used = result_.rate_used || read.points.rate_used;
       for (const auto& warning : {contradicting_rate(read.points, sampling.step, name, path_),
                                   unused_rate(read.points.axis, sampling.step, name, place)}) {
         if (warning) result_.warnings.push_back(*warning);
       }
       return read;
     } catch (const InputError& error) {
+      if (trimmed(unit).empty() || find_unit_of_points(unit)) throw;
       if (!axis_fault_) axis_fault_ = error;
       return {{.axis = {}, .points = count}, points_of_unknown_unit(name, unit)};
     }

@@ -64,6 +64,7 @@ struct TdmsGroup {
 struct GroupAxes {
   const TdmsProperties* outer;
   const TdmsProperties* outermost;
+  std::optional<double> rate = {};  ///< that the user states, Hz
   std::optional<PointsAxis> points = {};
   std::string name_of_points = {};
   std::optional<PointsAxis> compared = {};  ///< times of a channel that has an increment as well
@@ -134,7 +135,7 @@ class TdmsGroups {
   }
 
   void read_group(const TdmsGroup& group, const RecordingReadOptions& options) {
-    GroupAxes axes{.outer = group.properties, .outermost = outermost_};
+    GroupAxes axes{.outer = group.properties, .outermost = outermost_, .rate = options.rate};
     std::vector<LoggedChannel> read;
     for (TdmsObject* const object : group.channels) read_channel(*object, axes, read);
     std::vector<LoggedChannel> channels;
@@ -165,8 +166,10 @@ class TdmsGroups {
       warn_left_out(object, scaled.fault.empty() ? object.other : scaled.fault,
                     "let LabVIEW or DIAdem save it as numbers in its unit");
     } else if (!axes.points && is_points(object, scaled.values) && !has_increment(object)) {
-      axes.points =
-          axis_of_points(points_in_file(object, std::move(scaled.values)), {}, result_.warnings);
+      PointsInFile points = points_in_file(object, std::move(scaled.values));
+      points.rate = axes.rate;
+      axes.points = axis_of_points(std::move(points), {}, result_.warnings);
+      result_.rate_used = result_.rate_used || axes.points->rate_used;
       axes.name_of_points = object.channel;
     } else if (scaled.values.size() > 1) {
       if (!axes.compared) note_times(object, scaled.values, axes);

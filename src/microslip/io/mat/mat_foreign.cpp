@@ -184,26 +184,34 @@ std::string label_of_quantity(MatValue& values) {
   return mat_text(field_of(*quantity, 0, "label"));
 }
 
+/// A single number in a field of `x_values`. Elsewhere `increment` may be that of anything.
+std::optional<double> number_of_axis(MatValue& x, std::string_view name) {
+  const MatValue* const found = field_of(x, 0, name);
+  if (found == nullptr || found->real.size() != 1) return std::nullopt;
+  return found->real.front();
+}
+
 /// Nothing where it is no such function, or one over neither time nor frequency.
-std::optional<TestlabFunction> testlab_function(MatValue& value, std::size_t element,
-                                                const std::string& place) {
+std::optional<TestlabFunction> testlab_function(MatValue& value, std::size_t element) {
   MatValue* const x = field_of(value, element, "x_values");
   MatValue* const y = field_of(value, element, "y_values");
   if (x == nullptr || y == nullptr || x->kind != Kind::kStruct || !is_channels(*y)) return {};
   const std::optional<Unit> unit = find_unit_of_points(label_of_quantity(*x));
-  const Sampling sampling = sampling_of(*x, 0, {}, place);
-  if (!unit || !sampling.step || y->count() != 1) return {};
+  const std::optional<double> step = number_of_axis(*x, "increment");
+  if (!unit || !step || y->count() != 1) return {};
   if (unit->dimension != kTime && unit->dimension != kFrequency) return {};
   return TestlabFunction{values_of(*y, 0),
                          label_of_quantity(*y),
                          {.dimension = unit->dimension,
-                          .start = unit->to_si(sampling.start),
-                          .step = unit->to_si(*sampling.step),
+                          .start = unit->to_si(number_of_axis(*x, "start_value").value_or(0.0)),
+                          .step = unit->to_si(*step),
                           .values = {}}};
 }
 
 /// Takes the points off the arrays, for the scope.
-void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& warnings) {
+/// @param rate  that the user states, Hz.
+void take_axis(std::vector<Array>& arrays, Scope& scope, std::optional<double> rate,
+               std::vector<Warning>& warnings) {
   const auto [index, usual] = find_points(arrays, scope.sampling.step.has_value());
   if (index == arrays.size()) return;
   const Array& array = arrays[index];
@@ -216,6 +224,7 @@ void take_axis(std::vector<Array>& arrays, Scope& scope, std::vector<Warning>& w
     points.points = std::move(times.values);
     points.unit = std::move(times.unit);
   }
+  points.rate = rate;
   scope.axis = axis_of_points(std::move(points), scope.sampling.step, warnings);
   for (auto& warning :
        {contradicting_rate(*scope.axis, scope.sampling.step, array.name, scope.place),
@@ -243,7 +252,7 @@ class Collector {
       result_.recordings.push_back(std::move(own));
       return;
     }
-    if (const auto function = testlab_function(value, element, scope.place)) {
+    if (const auto function = testlab_function(value, element)) {
       add_function(*function, scope);
       return;
     }
@@ -251,7 +260,8 @@ class Collector {
     scope.names = mat_texts(first_field(value, element, kNamesNames));
     std::vector<Array> arrays = arrays_of(value, element);
     give_units(value, element, arrays, scope);
-    take_axis(arrays, scope, result_.warnings);
+    take_axis(arrays, scope, options_.rate, result_.warnings);
+    result_.rate_used = result_.rate_used || (scope.axis && scope.axis->rate_used);
     if (!only.empty()) std::erase_if(arrays, [&](const Array& a) { return a.name != only; });
     read_arrays(arrays, scope);
     if (only.empty()) read_fields(value, element, scope);

@@ -12,6 +12,8 @@
 #include <span>
 #include <utility>
 
+#include "microslip/base/error.hpp"
+
 namespace microslip {
 namespace {
 
@@ -219,12 +221,32 @@ std::optional<RoundedClock> axis_of_rounded_clock(std::span<const double> values
       ulp / (values.back() - values.front())};
 }
 
-Warning rounded_clock_warning(const RoundedClock& clock, std::string_view place) {
-  const double rate = 1.0 / clock.axis.step;
-  return {"times_rounded",
-          fmt::format("{}: the times have too few digits for their steps; they are taken as even, "
-                      "{:.6g} Hz to within {:.2g} % by their whole span. `rate` gives it exactly",
-                      place, rate, 100.0 * clock.uncertainty)};
+std::optional<Axis> axis_of_clock(std::span<const double> values, const Unit& unit,
+                                  const PrintedDigits& digits, const StatedRates& rates,
+                                  std::string_view file, std::vector<Warning>& warnings) {
+  std::optional<RoundedClock> clock = axis_of_rounded_clock(values, unit, digits);
+  if (!clock) return std::nullopt;
+  const double found = 1.0 / clock->axis.step;
+  const double within = 100.0 * clock->uncertainty;
+  const auto at_rate = [&](double rate) {
+    return axis_of_rounded_clock(values, unit, digits, 1.0 / rate);
+  };
+  if (rates.asked) {
+    if (auto asked = at_rate(*rates.asked)) return std::move(asked->axis);
+    throw InputError("`rate`", fmt::format("{:.12g} Hz", *rates.asked),
+                     fmt::format("must agree with the times of {}, which are {:.6g} Hz to within "
+                                 "{:.2g} %",
+                                 file, found, within));
+  }
+  if (rates.in_file) {
+    if (auto stated = at_rate(*rates.in_file)) return std::move(stated->axis);
+  }
+  warnings.push_back(
+      {"times_rounded",
+       fmt::format("{}: the times have too few digits for their steps; they are taken as even, "
+                   "{:.6g} Hz to within {:.2g} % by their whole span. `rate` gives it exactly",
+                   file, found, within)});
+  return std::move(clock->axis);
 }
 
 Axis axis_from_singles(std::vector<double> values, const Unit& unit) {

@@ -43,7 +43,7 @@ struct PrintedDigits {
                                                       const Unit& unit, const PrintedDigits& digits,
                                                       double step);
 
-/// Times that a clock rounded to its last digit, which is no finer than about half of their steps.
+/// Times that a clock rounded to its last digit, coarser than axis_of_stated_step() explains.
 struct RoundedClock {
   Axis axis;           ///< even, from the first value on
   double uncertainty;  ///< of the step, relative: a last digit over the span
@@ -62,8 +62,21 @@ struct RoundedClock {
                                                                 const PrintedDigits& digits,
                                                                 double stated = 0.0);
 
-/// "times_rounded": what was taken. @param place  of the times.
-[[nodiscard]] Warning rounded_clock_warning(const RoundedClock& clock, std::string_view place);
+/// Rates that are stated beside times, Hz.
+struct StatedRates {
+  std::optional<double> asked = {};    ///< by the user
+  std::optional<double> in_file = {};  ///< by the file
+};
+
+/// The axis of a clock that rounds, as axis_of_rounded_clock() knows it, in the rate that is asked
+/// for, or else in that of the file where the times agree with it; else as found, with the warning
+/// "times_rounded". Nothing where no clock explains the times.
+/// @param file  for messages.
+/// @throws InputError  where the times do not agree with the rate that is asked for.
+[[nodiscard]] std::optional<Axis> axis_of_clock(std::span<const double> values, const Unit& unit,
+                                                const PrintedDigits& digits,
+                                                const StatedRates& rates, std::string_view file,
+                                                std::vector<Warning>& warnings);
 
 /// axis_from_printed() for values that were stored in single precision, each off by half a unit in
 /// its last place: ulp(t) = 2^(⌊log2|t|⌋ − 23).

@@ -385,6 +385,7 @@ class CsvRecordingReader {
   }
 
   /// @throws FormatError  where times are equal and no clock explains it.
+  /// @throws InputError  as axis_of_clock().
   Axis axis_of_times(std::vector<double> values) {
     const Unit& unit = header_.columns()[*header_.axis()].unit;
     Axis axis{.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = {}};
@@ -394,28 +395,13 @@ class CsvRecordingReader {
       axis = axis_from_printed(std::move(values), unit, digits_);
     }
     if (axis.even()) return axis;
-    std::optional<RoundedClock> clock = axis_of_rounded_clock(axis.values, unit, digits_);
-    if (clock) return axis_of_clock(*clock, axis.values);
+    const StatedRates rates{.asked = options_.rate, .in_file = header_.sampling_rate()};
+    if (auto clock = axis_of_clock(axis.values, unit, digits_, rates, file_.name(), warnings_)) {
+      rate_used_ = options_.rate.has_value();
+      return *std::move(clock);
+    }
     if (equal_times_) throw FormatError(*equal_times_);
     return axis;
-  }
-
-  /// With the rate that is stated, where there is one that agrees with the times.
-  Axis axis_of_clock(const RoundedClock& clock, const std::vector<double>& values) {
-    const Unit& unit = header_.columns()[*header_.axis()].unit;
-    for (const std::optional<double>& rate : {options_.rate, header_.sampling_rate()}) {
-      if (!rate) continue;
-      const auto stated = axis_of_rounded_clock(values, unit, digits_, 1.0 / *rate);
-      rate_used_ = rate_used_ || rate == options_.rate;
-      if (stated) return stated->axis;
-      if (rate != options_.rate) continue;
-      throw InputError("`rate`", fmt::format("{:.12g} Hz", *rate),
-                       fmt::format("must agree with the times of {}, which are {:.6g} Hz to "
-                                   "within {:.2g} %",
-                                   file_.name(), 1.0 / clock.axis.step, 100.0 * clock.uncertainty));
-    }
-    warnings_.push_back(rounded_clock_warning(clock, file_.name()));
-    return clock.axis;
   }
 
   void warn_of_unused_rate(const Axis& axis) {
@@ -429,26 +415,54 @@ class CsvRecordingReader {
                      file_.name(), name, *header_.sampling_rate(), name)});
   }
 
+  /// Whether a column is a time over which others may be.
+  [[nodiscard]] bool is_time(std::size_t i) const {
+    const RecordingColumn& column = header_.columns()[i];
+    return column.dimension == kTime &&
+           rank_as_axis(column.name, column.unit) <= AxisRank::kLongTime;
+  }
+
+  /// Whether the column behind another is no time.
+  [[nodiscard]] bool stands_before_channel(std::size_t i) const {
+    return i + 1 < values_.size() && !is_time(i + 1);
+  }
+
   /// Columns behind a second time may be over that: loggers write pairs of time and value.
   void warn_of_other_times(const Axis& axis) {
-    constexpr double kSame = 0.01;  // of the step, beside what the digits leave
     for (std::size_t i = 0; i < values_.size(); ++i) {
-      const RecordingColumn& column = header_.columns()[i];
+      if (left_out_[i] || i == header_.axis() || !is_time(i) || axis.dimension != kTime) continue;
       const std::vector<double>& times = values_[i];
-      const auto rank = rank_as_axis(column.name, column.unit);
-      const bool is_time = column.dimension == kTime && rank <= AxisRank::kLongTime;
-      if (left_out_[i] || i == header_.axis() || !is_time || axis.dimension != kTime) continue;
       if (times.size() < 2 || !std::ranges::is_sorted(times)) continue;
-      const std::size_t last = times.size() - 1;
-      const double span = axis.at(last) - axis.at(0);
-      const double other = times[last] - times[0];
-      if (!(other > 0.0) || std::abs(other - span) <= kSame * span) continue;
+      const std::string how = difference_of(axis, times, i);
+      if (how.empty()) continue;
       warnings_.push_back(
           {"other_times",
-           fmt::format("{}: {} rises as well, by {:.6g} s in place of {:.6g} s: where columns are "
-                       "over it, put it and them into a file of their own",
-                       file_.name(), in_quotes(column.name), other, span)});
+           fmt::format("{}: {} rises as well, {}: where columns are over it, put it and them into "
+                       "a file of their own",
+                       file_.name(), in_quotes(header_.columns()[i].name), how)});
     }
+  }
+
+  /// How times of column i are others than the axis; empty where they are not. Another start alone
+  /// matters where a channel stands behind each of the two.
+  [[nodiscard]] std::string difference_of(const Axis& axis, const std::vector<double>& times,
+                                          std::size_t i) const {
+    constexpr double kSameSpan = 0.01;   // of the span
+    constexpr double kSameStart = 0.01;  // of the step
+    const std::size_t last = times.size() - 1;
+    const double span = axis.at(last) - axis.at(0);
+    const double other = times[last] - times[0];
+    if (!(other > 0.0)) return {};
+    if (std::abs(other - span) > kSameSpan * span) {
+      return fmt::format("by {:.6g} s in place of {:.6g} s", other, span);
+    }
+    const double offset = times[0] - axis.at(0);
+    const double step = span / static_cast<double>(last);
+    const bool are_pairs = stands_before_channel(*header_.axis()) && stands_before_channel(i);
+    if (!are_pairs || std::abs(offset) <= kSameStart * step) return {};
+    return fmt::format(
+        "from {:.6g} s on in place of {:.6g} s; no column is shifted by the {:.6g} s", times[0],
+        axis.at(0), offset);
   }
 
   /// Where the rate is taken for the axis and frequencies rise, which may be it as well.

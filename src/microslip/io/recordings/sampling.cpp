@@ -137,40 +137,51 @@ StoredPoints stored_points(const PointsInFile& file) {
   return stored;
 }
 
+/// What is stated beside points.
+struct BesidePoints {
+  double step = 0.0;                ///< in SI; 0: none
+  std::optional<double> rate = {};  ///< by the user
+  std::string place;
+};
+
 /// @param points  in SI, which were in `unit`.
-/// @param stated  the step that is stated elsewhere; 0: none.
-Axis axis_of(std::vector<double> points, const Unit& unit, const StoredPoints& stored,
-             double stated, std::string_view place, std::vector<Warning>& warnings) {
+PointsAxis axis_of(std::vector<double> points, const Unit& unit, const StoredPoints& stored,
+                   const BesidePoints& beside, std::vector<Warning>& warnings) {
+  const std::size_t count = points.size();
   const auto even = [&](double step) {
-    return Axis{.dimension = unit.dimension, .start = points.front(), .step = step, .values = {}};
+    return PointsAxis{
+        {.dimension = unit.dimension, .start = points.front(), .step = step, .values = {}}, count};
   };
   const auto is_even = [&](double step, double tolerance) {
     const double off = tolerance * step + stored.rounding * unit.factor();
     return points.size() > 1 && step > 0.0 && lies_evenly(points, step, off);
   };
-  if (!stored.are_text && is_even(stated, kEvenAsStated)) return even(stated);
+  if (!stored.are_text && is_even(beside.step, kEvenAsStated)) return even(beside.step);
   if (stored.exact_step) return even(unit.to_si(*stored.exact_step));
   if (stored.printed && rise(points)) {
-    const auto axis = axis_of_stated_step(points, unit, *stored.printed, stated);
+    const auto axis = axis_of_stated_step(points, unit, *stored.printed, beside.step);
     Axis found = axis ? *axis : axis_from_printed(std::move(points), unit, *stored.printed);
-    if (found.even()) return found;
+    if (found.even()) return {std::move(found), count};
     points = std::move(found.values);
   }
   if (stored.printed && !stored.are_text) {
-    if (const auto clock = axis_of_rounded_clock(points, unit, *stored.printed)) {
-      warnings.push_back(rounded_clock_warning(*clock, place));
-      return clock->axis;
-    }
+    StatedRates rates{.asked = beside.rate};
+    if (beside.step > 0.0) rates.in_file = 1.0 / beside.step;
+    auto clock = axis_of_clock(points, unit, *stored.printed, rates, beside.place, warnings);
+    if (clock) return {*std::move(clock), count, beside.rate.has_value()};
   }
-  if (stored.printed) {
-    return {.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = std::move(points)};
-  }
+  const auto uneven = [&] {
+    return PointsAxis{
+        {.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = std::move(points)},
+        count};
+  };
+  if (stored.printed) return uneven();
   const double mean =
       points.size() < 2 ? 0.0
                         : (points.back() - points.front()) / static_cast<double>(points.size() - 1);
-  if (stored.are_singles && mean > 0.0) return axis_from_singles(std::move(points), unit);
+  if (stored.are_singles && mean > 0.0) return {axis_from_singles(std::move(points), unit), count};
   if (is_even(mean, kEven)) return even(mean);
-  return {.dimension = unit.dimension, .start = 0.0, .step = 0.0, .values = std::move(points)};
+  return uneven();
 }
 
 /// Why a recording cannot be read; empty where it can.
@@ -253,12 +264,10 @@ PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step,
   const bool from_first = take_unit_by_size(file, warnings);
   const Unit unit = unit_of_axis(file);
   const StoredPoints stored = stored_points(file);
-  const std::size_t count = file.points.size();
   if (from_first) begin_at_zero(file.points);
   scale(file.points, unit);
   const double step = unit.dimension == kTime ? stated_step.value_or(0.0) : 0.0;
-  return {.axis = axis_of(std::move(file.points), unit, stored, step, file.place, warnings),
-          .points = count};
+  return axis_of(std::move(file.points), unit, stored, {step, file.rate, file.place}, warnings);
 }
 
 std::optional<Warning> contradicting_rate(const PointsAxis& points,

@@ -37,10 +37,10 @@ inline constexpr std::array<const char*, 17> kRateNames{"fs",
                                                         "sampling_rate_hz",
                                                         "ActualRate",
                                                         "Time_Sample_Rate"};
-inline constexpr std::array<const char*, 6> kStepNames{
-    "dt", "Dt", "sampling_interval", "delta_t", "wf_increment", "increment"};
-inline constexpr std::array<const char*, 5> kStartNames{"t0", "start", "start_time",
-                                                        "wf_start_offset", "start_value"};
+inline constexpr std::array<const char*, 5> kStepNames{"dt", "Dt", "sampling_interval", "delta_t",
+                                                       "wf_increment"};
+inline constexpr std::array<const char*, 4> kStartNames{"t0", "start", "start_time",
+                                                        "wf_start_offset"};
 inline constexpr std::array<const char*, 3> kTimeNames{"time", "Time", "t"};
 inline constexpr std::array<const char*, 5> kFrequencyNames{"frequency", "Frequency", "freq",
                                                             "Freq", "f"};
@@ -74,6 +74,7 @@ struct Sampling {
 struct PointsAxis {
   Axis axis;
   std::size_t points = 0;
+  bool rate_used = false;  ///< whether the axis is in PointsInFile::rate
 };
 
 /// 1/rate. @throws InputError  naming `place`, where the rate is not above 0 and finite.
@@ -96,15 +97,17 @@ struct PointsInFile {
   Dimension usual;                            ///< of the points where no unit is named
   std::string place;                          ///< for messages
   std::optional<PrintedDigits> printed = {};  ///< of points that were printed
+  std::optional<double> rate = {};            ///< that the user states for a clock that rounds, Hz
 };
 
 /// Points that rise in even steps but for rounding become start and step, others stay as they are.
 /// Even means: off by at most 1e-6 steps; where all are whole numbers or of single precision, or
 /// were printed, by as much as their rounding explains (even_axis.hpp); where the step of times is
 /// stated elsewhere, by at most 0.01 of it. Whole numbers that are exactly even keep their step.
+/// Of a clock that rounds to whole numbers, the step is that of axis_of_clock().
 /// Times without a unit that count from 1970 (counted_unit()) are given from the first on, with a
 /// warning; whole ones in long steps cause one as well (doubtful_seconds()).
-/// @throws InputError  where find_unit_of_points() does not know the unit.
+/// @throws InputError  where find_unit_of_points() does not know the unit, and as axis_of_clock().
 [[nodiscard]] PointsAxis axis_of_points(PointsInFile file, std::optional<double> stated_step,
                                         std::vector<Warning>& warnings);
 
