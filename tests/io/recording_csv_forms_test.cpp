@@ -482,6 +482,50 @@ TEST(RecordingCsvForms, TellsOfASecondTimeFromAnotherStart) {
       << read(0.05).warnings.at(0).text;
 }
 
+// As MTS (a count of segments) and an oscilloscope of Keysight write them; HBM's catman has a line
+// of rates between names and units.
+TEST(RecordingCsvForms, FindsLinesOfUnits) {
+  const Recordings mts = read_all(
+      "Station Name:\tAxial.cfg\nRunning Time\tAxial Count\tAxial Displacement\tAxial Force\n"
+      "Sec\tsegments\tmm\tkN\n0.001\t0\t1\t2\n0.002\t0\t3\t4\n");
+  EXPECT_EQ(mts.recordings.front().channel("Axial Force").values, (Numbers{2e3, 4e3}));
+  EXPECT_EQ(codes_of(mts), Names{"unit_unknown"});
+  const Recordings scope = read_all("x-axis,1,2\nsecond,Volt,Volt\n-0.1,5,1\n-0.05,6,2\n");
+  EXPECT_EQ(names_of(scope.recordings.front()), (Names{"1", "2"}));
+  EXPECT_EQ(scope.recordings.front().channel("1").values, (Numbers{5, 6}));
+  const Recordings catman = read_all(
+      "Werte:\t2\nZeit 1\tKraft\tWeg\nStandardmessrate: 1000 Hz; dt = 0,001 s\t\t\n"
+      "s\tkN\tmm\n0,000\t1\t2\n0,001\t3\t4\n");
+  EXPECT_EQ(catman.recordings.front().channel("Kraft").values, (Numbers{1e3, 3e3}));
+}
+
+// Rows of Pulse below pairs; settings of an oscilloscope in columns beside them, or above them with
+// other cells.
+TEST(RecordingCsvForms, TellsWhereRowsWithoutNamesBegin) {
+  const std::string pulse = "Header Size:\t3\nType:\tReal\nSource:\tPULSE\n";
+  const std::string rows = "1\t0.0\t5\n2\t0.5\t6\n3\t1.0\t7\n";
+  EXPECT_NE(
+      fault(pulse + rows)
+          .find("r.csv:4:1: expected a line of 3 names above the rows of numbers, found rows of "
+                "numbers that begin here, without names. Put one above line 4"),
+      std::string::npos)
+      << fault(pulse + rows);
+  const Recordings named = read_all(pulse + "n [1]\ttime [s]\tacc [g]\n" + rows);
+  EXPECT_EQ(named.recordings.front().channel("acc").values.size(), 3U);
+
+  const std::string beside =
+      "Record Length,2.5e+03,,-0.6,1.0,\nSource,CH1,,-0.5,2.0,\nUnits,V,,-0.4,3.0,\n"
+      ",,,-0.3,4.0,\n";
+  EXPECT_TRUE(fault(beside).starts_with("r.csv:1:1: expected a line of 5 names")) << fault(beside);
+  const Recordings times = read_all("a,b,c,time [s],CH1 [V]\n" + beside);
+  EXPECT_EQ(times.recordings.front().channel("CH1").values, (Numbers{1, 2, 3, 4}));
+
+  const std::string counted =
+      "X,CH1,Start,Increment,\nSequence,Volt,-0.1,5e-4\n0,1.0,\n1,2.0,\n2,3.0,\n";
+  EXPECT_TRUE(fault(counted).starts_with("r.csv:3:1: expected a line of 2 names"))
+      << fault(counted);
+}
+
 TEST(RecordingCsvForms, TakesIndicesForNames) {
   const Recordings read = read_all("time [s]\tY[0]\tY[1]\n0\t1\t2\n1\t3\t4\n");
   EXPECT_EQ(names_of(read.recordings.front()), (Names{"Y_0", "Y_1"}));

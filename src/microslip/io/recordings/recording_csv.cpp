@@ -70,6 +70,15 @@ class CsvRecordingReader {
         "Was it written to its end?");
   }
 
+  [[noreturn]] void throw_unnamed(const UnnamedRows& rows) const {
+    throw FormatError({file_.name(), rows.line, 1},
+                      fmt::format("a line of {} names above the rows of numbers", rows.cells),
+                      "rows of numbers that begin here, without names",
+                      fmt::format("Put one above line {}, such as 'time [s]', 'force [N]', "
+                                  "separated as the rows are; a column of text needs a name, too.",
+                                  rows.line));
+  }
+
   void read_block() {
     const std::string_view text = blocks_.text();
     end_ = text.data() + text.size();
@@ -78,6 +87,7 @@ class CsvRecordingReader {
     if (blocks_.first_line() == 1) {
       if (text.starts_with(kByteOrderMark)) p += kByteOrderMark.size();
       table_ = find_table_start(text);
+      if (table_.unnamed) throw_unnamed(*table_.unnamed);
     }
     while (p != end_) p = read_line(p);
   }
@@ -108,7 +118,11 @@ class CsvRecordingReader {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     const std::size_t number = scanner_->place(p).line;
     const bool above = !table_.preamble.empty() && p < blocks_.text().data() + table_.header;
-    if (!header_.has_names() && above && blocks_.first_line() == 1) {
+    const bool before_units =
+        blocks_.first_line() == 1 && table_.units > 0 && p < blocks_.text().data() + table_.units;
+    if (header_.has_names() && before_units) {
+      header_.add_preamble(line);
+    } else if (!header_.has_names() && above && blocks_.first_line() == 1) {
       header_.add_preamble(line);
     } else if (!header_.has_names() && !table_.commented.empty()) {
       header_.read_names(table_.commented, scanner_->place(table_.commented.data()).line, table_);

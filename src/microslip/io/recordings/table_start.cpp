@@ -164,17 +164,39 @@ bool names_time(std::string_view cell) {
   return axis_dimension(trimmed(cell.substr(0, cell.find_first_of("[(")))).has_value();
 }
 
+/// Of time or frequency, and no name of them as t and f are.
+bool is_axis_unit(std::string_view cell) {
+  const std::optional<Unit> unit = find_unit(to_utf8(std::string(cell)));
+  return unit && (unit->dimension == kTime || unit->dimension == kFrequency) && !names_time(cell);
+}
+
 /// Whether a line below that of the names has their units. Names may look like units, as t and N
-/// do, and a unit may be unknown: then a time among the names tells.
+/// do, and a unit may be unknown: then a time among the names tells, or a unit of time among units.
 bool is_unit_line(const TableLine& line, const TableLine& names) {
   const auto is_unit_or_empty = [](auto cell) { return cell.empty() || is_unit_cell(cell); };
-  if (!std::ranges::any_of(line.cells, is_unit_cell)) return false;
+  const auto units = static_cast<std::size_t>(std::ranges::count_if(line.cells, is_unit_cell));
+  if (units == 0) return false;
   return std::ranges::all_of(line.cells, is_unit_or_empty) ||
-         std::ranges::any_of(names.cells, names_time);
+         std::ranges::any_of(names.cells, names_time) ||
+         (2 * units > line.cells.size() && std::ranges::any_of(line.cells, is_axis_unit));
 }
 
 bool is_header(const TableLine& line, std::size_t columns) {
   return line.cells.size() == columns && line.numbers == 0;
+}
+
+/// Whether a name stands before the numbers of channels, as an oscilloscope writes them above their
+/// units: `x-axis,1,2`.
+bool is_numbered_header(const TableLine& line, const TableLine& units) {
+  const auto is_channel_number = [](std::string_view cell) {
+    constexpr std::size_t kMostDigits = 2;
+    return !cell.empty() && cell.size() <= kMostDigits &&
+           cell.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::size_t columns = units.cells.size();
+  return columns > 1 && line.cells.size() == columns && !line.cells[0].empty() &&
+         line.numbers == columns - 1 && is_axis_unit(units.cells[0]) &&
+         std::all_of(line.cells.begin() + 1, line.cells.end(), is_channel_number);
 }
 
 /// The cells of a line between two blanks or more.
@@ -262,6 +284,62 @@ std::optional<TableStart> start_without_header(const TableLines& found) {
   return start;
 }
 
+/// Where the header is that `last`, the line above the rows from `first` on, ends.
+struct HeaderLines {
+  std::size_t names;
+  bool has_units = false;
+  bool gaps = false;
+};
+
+/// One line may stand between names and units, such as that of the rates of channels.
+HeaderLines header_above(const std::vector<TableLine>& lines, std::size_t first,
+                         const TableLine& last) {
+  const std::size_t columns = lines[first].cells.size();
+  constexpr std::size_t kMostBetween = 1;
+  for (std::size_t between = 0; between <= kMostBetween && between + 1 < first; ++between) {
+    const std::size_t names = first - 2 - between;
+    const TableLine above = as_in_table_of(lines[first], lines[names]);
+    const bool may_be_apart = between == 0 || std::ranges::any_of(last.cells, is_axis_unit);
+    const bool is_above =
+        is_header(above, columns) || (between == 0 && is_numbered_header(above, last));
+    if (is_above && may_be_apart && is_unit_line(last, above)) return {names, true, above.gaps};
+    if (is_header(above, columns)) break;
+  }
+  return {first - 1, false, last.gaps};
+}
+
+/// Whether a first line with numbers stands over lines of the same kind: text over text.
+bool is_row_beside_text(const TableLine& first, const TableLine& next) {
+  if (!is_row(first) || is_pair(first) || first.cells.size() != next.cells.size()) return false;
+  for (std::size_t i = 0; i < first.cells.size(); ++i) {
+    const auto is_text = [&](const TableLine& line) {
+      return !line.cells[i].empty() && !is_number_cell(line.cells[i]);
+    };
+    if (is_text(first) && is_text(next)) return true;
+  }
+  return false;
+}
+
+/// The rows of numbers where the first line cannot have their names. One directly above rows is
+/// taken for their header, whatever it has.
+std::optional<UnnamedRows> unnamed_rows(const std::vector<TableLine>& lines,
+                                        std::string_view text) {
+  if (std::ranges::any_of(lines[0].cells, names_time)) return std::nullopt;
+  const auto rows = [&](std::size_t first) {
+    const std::string_view above = text.substr(0, lines[first].offset);
+    return UnnamedRows{1 + static_cast<std::size_t>(std::ranges::count(above, '\n')),
+                       lines[first].cells.size()};
+  };
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+    const std::size_t columns = lines[i].cells.size();
+    if (!is_whole_row(lines[i]) || !is_whole_row(lines[i + 1])) continue;
+    if (lines[i + 1].cells.size() != columns) continue;
+    const bool fits = as_in_table_of(lines[i], lines[0]).cells.size() == columns;
+    return i == 1 || fits ? std::nullopt : std::optional(rows(i));
+  }
+  return is_row_beside_text(lines[0], lines[1]) ? std::optional(rows(0)) : std::nullopt;
+}
+
 }  // namespace
 
 TableStart find_table_start(std::string_view text) {
@@ -284,26 +362,29 @@ TableStart find_table_start(std::string_view text) {
     const bool row_names =
         lines[i].blanks && is_header(last, columns - 1) && trimmed(lines[i].text).starts_with('"');
     if (!is_header(last, columns) && !row_names) continue;
-    const TableLine above = i > 1 ? as_in_table_of(lines[i], lines[i - 2]) : TableLine{};
-    const bool units = is_header(above, columns) && is_unit_line(last, above);
-    const std::size_t header = units ? i - 2 : i - 1;
-    if (has_time(lines[0]) && !has_time(units ? above : last))
-      break;  // the first line is the header
+    const HeaderLines header = header_above(lines, i, last);
+    const TableLine names = as_in_table_of(lines[i], lines[header.names]);
+    if (has_time(lines[0]) && !has_time(names)) break;  // the first line is the header
     TableStart start{.preamble = {},
-                     .header = lines[header].offset,
-                     .names = lines[header].text,
-                     .below = lines[header + 1].text,
+                     .header = lines[header.names].offset,
+                     .units = header.has_units ? lines[i - 1].offset : 0,
+                     .names = lines[header.names].text,
+                     .below = header.has_units ? lines[i - 1].text : lines[i].text,
                      .blanks = lines[i].blanks,
                      .counts = counts_rows(lines, i),
-                     .gaps = units ? above.gaps : last.gaps,
+                     .gaps = header.gaps,
                      .row_names = row_names};
-    for (std::size_t k = 0; k < header; ++k) start.preamble.push_back(lines[k].text);
+    for (std::size_t k = 0; k < header.names; ++k) start.preamble.push_back(lines[k].text);
     start.rising = rising_columns(lines, i);
     start.texts = texts_of(lines[i]);
     return start;
   }
   if (lines.size() < 2) return {};
-  TableStart start{{}, lines[0].offset, lines[0].text, lines[1].text};
+  TableStart start{.preamble = {},
+                   .header = lines[0].offset,
+                   .names = lines[0].text,
+                   .below = lines[1].text,
+                   .unnamed = unnamed_rows(lines, text)};
   const auto row = std::ranges::find_if(lines.begin() + 1, lines.end(), is_row);
   start.rising = rising_columns(lines, static_cast<std::size_t>(row - lines.begin()));
   if (row != lines.end()) start.texts = texts_of(*row);
