@@ -526,6 +526,21 @@ TEST(RecordingCsvForms, TellsWhereRowsWithoutNamesBegin) {
       << fault(counted);
 }
 
+// As pandas writes them.
+TEST(RecordingCsvForms, NamesComplexCells) {
+  const std::string text = fault("frequency [Hz],H [m/s^2/N]\n78,(-7.9+1.06j)\n79,(-8-1e-3j)\n");
+  EXPECT_NE(text.find("It is complex: write its parts as columns 'H.real' and 'H.imag'."),
+            std::string::npos)
+      << text;
+}
+
+// Whole thousands, of which a comma may as well be that of decimals.
+TEST(RecordingCsvForms, NamesThousandsOfATableWithCommas) {
+  const std::string text = fault("time [s],F [N]\n0.5,\"12.5\"\n1.0,\"1,004\"\n");
+  EXPECT_NE(text.find("Where its comma separates thousands, write it without"), std::string::npos)
+      << text;
+}
+
 TEST(RecordingCsvForms, TakesIndicesForNames) {
   const Recordings read = read_all("time [s]\tY[0]\tY[1]\n0\t1\t2\n1\t3\t4\n");
   EXPECT_EQ(names_of(read.recordings.front()), (Names{"Y_0", "Y_1"}));

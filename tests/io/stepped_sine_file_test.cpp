@@ -404,7 +404,8 @@ TEST(SteppedSineFile, ReadsFrequencyResponsesOfAStruct) {
 }
 
 // As test systems write a sweep: names in any spelling, lines above, units on a line of their own,
-// decimal commas, blanks, a time beside it. 1 g = 9.80665 m/s^2.
+// decimal commas, blanks, a time beside it, names in another language.
+// 1 g = 9.80665 m/s^2.
 TEST(SteppedSineFile, ReadsTablesOfTestSystems) {
   const test::TemporaryFolder folder;
   const std::string path = folder.file("sweep.txt");
@@ -413,6 +414,8 @@ TEST(SteppedSineFile, ReadsTablesOfTestSystems) {
         "80,5;500;1;-10\n80,0;250;2;-90\n79,5;250;2;-120\n",
         "frequency[Hz] force[mN] acceleration[g] phase[deg]\n80.5 500 1 -10\n80.0 250 2 -90\n"
         "79.5 250 2 -120\n",
+        "Frequenz (Hz);Kraft (mN);Beschleunigung (g);Winkel (deg)\n80,5;500;1;-10\n"
+        "80,0;250;2;-90\n79,5;250;2;-120\n",
         "Sweep 3\nFreq (Hz),Force (N),Acc (g),Phase angle (deg)\n80.5,0.5,1,-10\n80,0.25,2,-90\n"
         "79.5,0.25,2,-120\n",
         "time [s],frequency [Hz],force [mN],acceleration [g],phase [deg]\n0,80.5,500,1,-10\n"

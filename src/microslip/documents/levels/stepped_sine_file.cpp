@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <span>
@@ -72,14 +73,49 @@ std::string known_name(const std::string& name) {
   return name;
 }
 
+struct ColumnOfSweep {
+  std::string name;
+  std::optional<Dimension> dimension;  ///< by its unit
+};
+
+/// known_name() of each. In a table without times the units tell what names in other languages do
+/// not, of parts that no name tells.
+std::vector<std::string> known_names(const std::vector<ColumnOfSweep>& columns) {
+  constexpr std::array<std::pair<Dimension, std::string_view>, 4> kParts{
+      {{kFrequency, "frequency"},
+       {kForce, "force"},
+       {kAcceleration, "acceleration"},
+       {kAngle, "phase"}}};
+  std::vector<std::string> names;
+  for (const ColumnOfSweep& column : columns) names.push_back(known_name(column.name));
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  if (has("time") ||
+      std::ranges::find(columns, kTime, &ColumnOfSweep::dimension) != columns.end()) {
+    return names;
+  }
+  std::vector<std::string> by_unit = names;
+  for (const auto& [dimension, part] : kParts) {
+    if (has(part) || (part == "acceleration" && has("amplitude"))) continue;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const bool is_free = names[i] == columns[i].name;
+      if (is_free && columns[i].dimension == dimension) by_unit[i] = part;
+    }
+  }
+  return by_unit;
+}
+
 /// The names in the table of a sweep as a logger writes it: in any spelling, below other lines,
 /// with units on a line of their own, between blanks.
 std::vector<std::string> known_names(std::string_view head) {
-  std::vector<std::string> names;
+  std::vector<ColumnOfSweep> columns;
   for (const CsvColumn& column : recording_columns(head)) {
-    names.push_back(known_name(column.name));
+    const std::optional<Unit> unit = column.unit ? find_unit(*column.unit) : std::nullopt;
+    ColumnOfSweep& added = columns.emplace_back(ColumnOfSweep{column.name, {}});
+    if (unit) added.dimension = unit->dimension;
   }
-  return names;
+  return known_names(columns);
 }
 
 /// Whether a table is in the form of microslip itself: names as above, in the first line that is no
@@ -170,11 +206,12 @@ SteppedSine parse_logged_sine(std::string text, const std::string& name) {
   InputStream file(std::move(text), name);
   Recordings read = read_recordings_csv(file, {.no_axis = true});
   Recording& recording = read.recordings.front();
-  std::vector<std::string> names;
-  for (Channel& channel : recording.channels) {
-    channel.name = known_name(channel.name);
-    names.push_back(channel.name);
+  std::vector<ColumnOfSweep> columns;
+  for (const Channel& channel : recording.channels) {
+    columns.push_back({channel.name, channel.dimension});
   }
+  const std::vector<std::string> names = known_names(columns);
+  for (std::size_t i = 0; i < names.size(); ++i) recording.channels[i].name = names[i];
   for (LeftOutChannel& channel : recording.left_out) channel.name = known_name(channel.name);
   require_parts(names, {.file = name}, "columns");
   const std::array<std::string_view, 4> parts{"frequency", "force", acceleration_field(names),

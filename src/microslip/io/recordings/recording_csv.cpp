@@ -33,6 +33,31 @@ namespace {
 /// How the numbers of a file are written; unknown until one has a point or a comma.
 enum class Decimal { kUnknown, kPoint, kComma };
 
+/// As Python, MATLAB and Excel write complex numbers: (1.5-2e3j), 1 + 2i.
+bool is_complex_cell(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
+  const bool is_marked = text.size() > 1 && (text.ends_with('i') || text.ends_with('j'));
+  return is_marked && text.find_first_of("0123456789") < text.size() &&
+         text.substr(0, text.size() - 1).find_first_not_of("0123456789+-.,eE* ") ==
+             std::string_view::npos;
+}
+
+/// A number as `1,004`, in groups of three digits that do not begin with 0.
+bool may_be_thousands(std::string_view text) {
+  constexpr std::size_t kGroup = 3;
+  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
+  const std::size_t first = text.find(',');
+  if (first == 0 || first > kGroup || text[0] == '0') return false;
+  for (text.remove_prefix(first); !text.empty(); text.remove_prefix(kGroup + 1)) {
+    if (text[0] != ',' || text.size() <= kGroup) return false;
+    if (text.substr(1, kGroup).find_first_not_of("0123456789") != std::string_view::npos) {
+      return false;
+    }
+  }
+  return true;
+}
+
 class CsvRecordingReader {
  public:
   CsvRecordingReader(InputStream& file, const RecordingReadOptions& options)
@@ -330,13 +355,22 @@ class CsvRecordingReader {
   [[nodiscard]] FormatError no_number(const char* p, std::size_t column) const {
     const RawCell cell = scanner_->scan(p);
     const std::string_view text = cell.view();
-    std::string_view remedy = remedy_for_cell(text);
-    if (decimal_ == Decimal::kComma && text.find('.') != std::string_view::npos) {
+    std::string remedy(remedy_for_cell(text));
+    if (is_complex_cell(text)) {
+      const std::string& name = header_.columns()[column].name;
+      remedy = fmt::format("It is complex: write its parts as columns {} and {}.",
+                           in_quotes(name + std::string(kRealMark)),
+                           in_quotes(name + std::string(kImaginaryMark)));
+    } else if (decimal_ == Decimal::kComma && text.find('.') != std::string_view::npos) {
       remedy = "This table has decimal commas elsewhere: write all numbers one way.";
     } else if (decimal_ == Decimal::kPoint && parse_comma_number(text)) {
       const bool by_points = header_.separator() == ',' || header_.separator() == ' ';
-      remedy = by_points ? kRemedyForDecimalCommas
+      remedy = by_points ? std::string(kRemedyForDecimalCommas)
                          : "This table has decimal points elsewhere: write all numbers one way.";
+      if (by_points && may_be_thousands(text)) {
+        remedy =
+            "Where its comma separates thousands, write it without; where decimals, with a point.";
+      }
     } else if (row_is_cut_) {
       remedy = "If the file was truncated there, `allow_truncated` leaves out this row.";
     }
