@@ -526,6 +526,17 @@ TEST(RecordingCsvForms, TellsWhereRowsWithoutNamesBegin) {
       << fault(counted);
 }
 
+TEST(RecordingCsvForms, NamesMatricesAndMeshes) {
+  for (const auto& [text, name] :
+       {std::pair{"%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 1 4.0\n",
+                  "found a matrix of Matrix Market"},
+        {"$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "found a mesh of gmsh"},
+        {"*NODE, NSET=NALL\n1, 0.0, 0.0, 0.0\n", "found an input file of Abaqus"}}) {
+    EXPECT_NE(fault(text).find(name), std::string::npos) << fault(text);
+    EXPECT_NE(fault(text).find("`modes` takes matrices"), std::string::npos) << fault(text);
+  }
+}
+
 // As pandas writes them.
 TEST(RecordingCsvForms, NamesComplexCells) {
   const std::string text = fault("frequency [Hz],H [m/s^2/N]\n78,(-7.9+1.06j)\n79,(-8-1e-3j)\n");

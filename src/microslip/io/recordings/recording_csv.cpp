@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -83,9 +84,24 @@ class CsvRecordingReader {
 
   void check_signature() const {
     const std::string_view other = signature(blocks_.text());
-    if (other.empty()) return;
+    if (other.empty()) return check_no_model();
     throw FormatError({file_.name(), 0, 0}, "a table of comma-separated values", other,
                       remedy_for_signature(other));
+  }
+
+  /// Matrices and meshes begin as no table does.
+  void check_no_model() const {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kModels{
+        {{"%%MatrixMarket", "a matrix of Matrix Market"},
+         {"$MeshFormat", "a mesh of gmsh"},
+         {"*NODE", "an input file of Abaqus or CalculiX"},
+         {"*HEADING", "an input file of Abaqus or CalculiX"}}};
+    for (const auto& [start, name] : kModels) {
+      if (!blocks_.text().starts_with(start)) continue;
+      throw FormatError({file_.name(), 0, 0}, "a table of comma-separated values", name,
+                        "It is no recording. `modes` takes matrices and nodes that a structure "
+                        "file, schema = \"microslip.structure/1\", names.");
+    }
   }
 
   [[noreturn]] void throw_no_header() const {
