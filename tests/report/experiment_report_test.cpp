@@ -1154,7 +1154,7 @@ TEST(ReportOfRecords, ShowsEachDepartureWhereItStandsOutMost) {
   const ReportTable& verdicts = table(document, "Is it a Masing joint?");
   ASSERT_EQ(verdicts.rows.size(), 2U);
   EXPECT_EQ(verdicts.marked, (std::vector<std::size_t>{0}));
-  EXPECT_TRUE(contains(std::get<std::string>(verdicts.rows[0][0]), "asymmetry"));
+  EXPECT_TRUE(contains(std::get<std::string>(verdicts.rows[0][0]), "the two sides differ"));
   EXPECT_EQ(verdicts.rows[0][1], ReportCell(2.0));
   EXPECT_EQ(verdicts.rows[0][2], ReportCell(3.0)) << "%";
   EXPECT_EQ(verdicts.rows[0][4], ReportCell("yes"));

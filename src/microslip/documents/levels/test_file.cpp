@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -80,12 +79,20 @@ void seek_sweep(InputStream& file, TestFile& test) {
   constexpr std::size_t kLargest = std::size_t{64} << 20;
   constexpr std::size_t kMost = 20;
   if (test.format != RecordingFormat::kMat || file.size().value_or(kLargest) >= kLargest) return;
-  std::optional<MatVariable> all = file.rewind() ? variable_of(file, "") : std::nullopt;
+  const std::optional<MatVariable> all = file.rewind() ? variable_of(file, "") : std::nullopt;
   if (!all) return;
   const std::vector<std::string> names = all->fields("");
-  const auto is_one = [&all](const std::string& name) { return is_sweep(*all, name); };
-  if (names.size() > kMost || std::ranges::count_if(names, is_one) != 1) return;
-  keep_sweep(std::move(*all), *std::ranges::find_if(names, is_one), test);
+  if (names.size() > kMost) return;
+  std::optional<MatVariable> sweep;
+  std::string found;
+  for (const std::string& name : names) {
+    std::optional<MatVariable> variable = file.rewind() ? variable_of(file, name) : std::nullopt;
+    if (!variable || !is_sweep(*variable, name)) continue;
+    if (sweep) return;
+    sweep = std::move(variable);
+    found = name;
+  }
+  if (sweep) keep_sweep(std::move(*sweep), found, test);
 }
 
 }  // namespace
@@ -109,7 +116,7 @@ TestFile open_test(const std::string& path, Hashed hashed) {
     test.text.clear();
     file.rewind();
   } else if (is_table(test.content)) {
-    test.text = read_rest(file);
+    test.text = read_rest_of_text(file);
     test.sha256 = sha256(test.text);
   } else if (test.content == TestContent::kRecording) {
     test.format = find_recording_format_of(test.text);

@@ -35,7 +35,8 @@ struct MatTree;
 class MatVariable {
  public:
   /// @param path      of the file.
-  /// @param variable  its name, or a path that begins with it; empty: all variables of the file.
+  /// @param variable  its name, or a path that begins with it; empty: none, but the names of
+  ///                  all.
   MatVariable(std::string path, std::string_view variable);
 
   /// As above, of a file that is open, of which nothing was taken.
