@@ -63,7 +63,9 @@ struct JointExport {
 [[nodiscard]] std::string slider_errors_table(const SliderErrors& errors,
                                               const std::string& command);
 
-/// What was exported, in some lines. @param result  with errors over the amplitude.
+/// What was exported, in some lines.
+/// @param result   with errors over the amplitude. @param request  what was asked for.
+/// @param path     of the file.
 [[nodiscard]] std::string export_summary(const JointExport& result, const ExportRequest& request,
                                          const std::string& path);
 
