@@ -50,7 +50,8 @@ void end_with(pid_t parent) {
                          pid_t parent) {
   end_with(parent);
   bool connected = true;
-  for (int i = 0; i < 3; ++i) connected = connected && dup2(files[i], i) >= 0;
+  int stream = 0;
+  for (const int file : files) connected = connected && dup2(file, stream++) >= 0;
   if (connected) execvp(arguments[0], arguments);
   const int code = errno;
   (void)!write(report, &code, sizeof code);
